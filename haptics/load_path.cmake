@@ -4,7 +4,7 @@ set(haptics_load_path
     error.cpp range.cpp spectral_radius.cpp tool_coupling_settings.cpp integrator_settings.cpp collision_mesh.cpp
     told_rings_build.cpp velocity_settings.cpp passivity_settings.cpp field_settings.cpp haptic_loop_build.cpp safety_settings.cpp
     pointer_settings.cpp simulated_hand_settings.cpp simulated_arm_settings.cpp arm_model.cpp arm_reach.cpp
-    simulated_wam_build.cpp replay_device_build.cpp fitted_device_build.cpp axis_order.cpp report_descriptor.cpp
+    simulated_wam_build.cpp replay_device_build.cpp fitted_device_build.cpp sensor_life.cpp watched_device_build.cpp axis_order.cpp report_descriptor.cpp
     report_lookup.cpp force_layout.cpp force_effects.cpp hid_ability.cpp hid_port.cpp hid_hand_build.cpp rate_settings.cpp
     world_build.cpp world_loop_build.cpp mesh_report.cpp solid_moments.cpp shape.cpp triangle_mesh.cpp weld.cpp crack.cpp
     mesh_edges.cpp height_field.cpp convex_hull.cpp convex_pieces.cpp piece_shape.cpp level_surface.cpp surface_measures.cpp
@@ -19,7 +19,7 @@ set(haptics_load_path
     transient_stage_build.cpp surface_effects_build.cpp sha256.cpp shape_bytes.cpp distance_field_bytes.cpp
     distance_band.cpp brick_sides.cpp brick_triangles.cpp shape_fit.cpp wall_thickness.cpp distance_field_build.cpp
     distance_field_settings.cpp shell_tree.cpp field_sampling_build.cpp field_load_build.cpp field_contacts_build.cpp
-    contact_loop_build.cpp implicit_penalty_build.cpp god_object_tool_build.cpp god_shading_build.cpp god_texture_build.cpp
+    contact_loop_build.cpp implicit_penalty_build.cpp god_object_tool_build.cpp god_motion_build.cpp god_shading_build.cpp god_texture_build.cpp
     god_surface.cpp kite.cpp wind_settings.cpp line_build.cpp kite_flight_build.cpp line_feel_settings.cpp
     kite_loop_build.cpp kite_swap_build.cpp contact_solver_settings.cpp least_constraint_build.cpp
     friction_constraint_build.cpp swept_mesh.cpp link_device_build.cpp arm_server_build.cpp

@@ -17,15 +17,6 @@ namespace {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPairs = {
     {{"is", "are"}, {"was", "were"}, {"has", "have"}, {"does", "do"}}};
 
-/// The same in the past as in the present.
-constexpr auto kUnchanged =
-    std::to_array<std::string_view>({"put", "let", "cut", "hit", "read", "set", "cost", "hurt",
-                                     "shut", "beat", "spread", "quit", "bet"});
-
-bool is_unchanged(std::string_view verb) {
-    return std::find(kUnchanged.begin(), kUnchanged.end(), verb) != kUnchanged.end();
-}
-
 /// The form of verb `i` that agrees with `number`; empty when it does, or when it has no number.
 std::string agreeing(const FreeSentence& sentence, int i, Number number) {
     const FreeWord& word = sentence[i];
@@ -47,7 +38,7 @@ std::string agreeing(const FreeSentence& sentence, int i, Number number) {
         return word.verb;
     }
     const bool plain = word.verb_plain && !word.verb_in_s && word.text == word.verb;
-    if (number == Number::singular && plain && !is_unchanged(word.verb)) {
+    if (number == Number::singular && plain && !is_same_in_past(word.verb)) {
         return third_person(word.verb);
     }
     return {};
@@ -67,8 +58,11 @@ bool resumes(const FreeSentence& sentence, int i) {
     constexpr std::array<std::string_view, 15> kGoverning = {
         "do",  "does", "did",  "let",   "lets", "make", "makes", "made",
         "see", "help", "feel", "watch", "not",  "hear", "saw"};
-    if (i < 2 || !sentence.is(i, {"it"}) || !sentence[i - 1].mainly_noun() || sentence.asks() ||
-        !sentence.is(0, {"when", "if", "near", "at", "on", "more", "far"})) {
+    const FreeWord& before = sentence[i - 1];
+    const bool ended = (!before.closed && before.noun_count > before.verb_count) ||
+                       sentence.is(i - 1, {"it", "possible"});
+    if (i < 2 || !sentence.is(i, {"it"}) || !ended || sentence.asks() ||
+        !sentence.is(0, {"when", "if", "near", "at", "on", "more", "far", "as", "close"})) {
         return false;
     }
     for (int at = 0; at < sentence.size(); ++at) {
@@ -86,7 +80,10 @@ void find_after_pronoun(const FreeSentence& sentence, int i, Proposals& proposal
     const bool other = is_other_person(sentence.text(i));
     const FreeWord& subject = sentence[i];
     if (subject.hyphen_behind || (!third && !other) || sentence[i].before_stop ||
-        (!sentence.clause_begins(i) && !resumes(sentence, i))) {
+        (!sentence.clause_begins(i) && !resumes(sentence, i) &&
+         // "The closer you is".
+         !(other && sentence[i - 1].degree == Degree::comparative &&
+           sentence.is(i - 2, {"the"})))) {
         return;
     }
     // "If it were", "suggest that it go", and "you and I".
@@ -144,7 +141,8 @@ void find_after_there(const FreeSentence& sentence, int i, Proposals& proposals)
     const bool straight =
         sentence.be_at(i + 1) && !turned &&
         (i == 0 || sentence[i].behind_stop || (sentence[i - 1].closed && !sentence.be_at(i - 1)) ||
-         is_telling_verb(sentence.text(i - 1)));
+         is_telling_verb(sentence.text(i - 1)) ||
+         (sentence[i - 1].mainly_noun() && sentence.is(0, {"in", "on", "at", "under", "near"})));
     if (!turned && !straight) {
         return;
     }
@@ -158,6 +156,14 @@ void find_after_there(const FreeSentence& sentence, int i, Proposals& proposals)
         ++first;
     }
     const bool one = sentence.is(be, {"is", "was"});
+    // "There is four", "there is two forces".
+    const FreeWord& counted = sentence[first + 1];
+    if (one && sentence[first].number && !sentence.is(first, {"one"}) &&
+        (sentence.ends_at(first) ||
+         (!counted.singular.empty() && counted.noun_count > 0 && sentence.is_head(first + 1)))) {
+        proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "is" ? "are" : "were");
+        return;
+    }
     const bool amount = sentence.is(first, {"many", "several", "few", "lots"}) ||
                         (sentence[first].number && !sentence[first].before_stop);
     const NounPhrase phrase = noun_phrase_at(sentence, first);
@@ -177,7 +183,8 @@ void find_after_there(const FreeSentence& sentence, int i, Proposals& proposals)
     } else if (!one && bare && is_material(noun.text) && !followed_by_and &&
                (sentence.ends_at(first) || sentence[first + 1].closed)) {
         proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "are" ? "is" : "was");
-    } else if (!one && sentence.is(first, {"no"}) && is_mass_noun(noun.text)) {
+    } else if (!one && sentence.is(first, {"no"}) &&
+               (is_mass_noun(noun.text) || is_measured(noun.text) || noun.text == "difference")) {
         proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "are" ? "is" : "was");
     } else if (!one && (noun.singular_noun() || (bare && is_bare_singular(noun))) && !amount &&
                !followed_by_and && !sentence.is(first, {"no", "the"}) &&
@@ -188,6 +195,33 @@ void find_after_there(const FreeSentence& sentence, int i, Proposals& proposals)
         } else if (!determined) {
             proposals.replace(phrase.head, ErrorCode::noun_number, plural_of(noun.text));
         }
+    }
+}
+
+/// What is named at `first`, a thing, a material or a planet by its name, ends before this; `first` where nothing is.
+int name_end(const FreeSentence& sentence, int first) {
+    if (is_planet(sentence.text(first))) {
+        return first + 1;
+    }
+    const NounPhrase phrase = noun_phrase_at(sentence, first);
+    const bool named =
+        phrase.determined || sentence[phrase.head].thing || is_material(sentence[phrase.head].text);
+    return named ? phrase.last : first;
+}
+
+/// the apple and the egg is equal.
+void find_after_two(const FreeSentence& sentence, Proposals& proposals) {
+    const int begin = sentence.is(0, {"both"}) ? 1 : 0;
+    const int first = name_end(sentence, begin);
+    const int second = sentence.is(first, {"and"}) ? name_end(sentence, first + 1) : first;
+    if (first == begin || second <= first + 1 || sentence[second - 1].before_stop ||
+        sentence[first - 1].before_stop || sentence.asks() ||
+        sentence.is(begin, {"each", "every", "no"}) || sentence[second].possessive) {
+        return;
+    }
+    const std::string right = agreeing(sentence, second, Number::plural);
+    if (!right.empty() && sentence[second].closed) {
+        proposals.replace(second, ErrorCode::agreement, right);
     }
 }
 
@@ -214,7 +248,13 @@ void find_after_noun(const FreeSentence& sentence, int i, Proposals& proposals) 
         sentence.is(phrase.first, {"what", "which", "whose", "all", "no", "both", "any", "some"})) {
         return;
     }
-    const int at = verb_behind(sentence, phrase.last);
+    // "The force of the weight are": both are one.
+    const NounPhrase hung = noun_phrase_at(sentence, phrase.last + 1);
+    const bool of_one = phrase.determined && phrase.number == Number::singular &&
+                        sentence.is(phrase.last, {"of", "from", "in"}) && hung.last > hung.first &&
+                        hung.determined && hung.sure && hung.number == Number::singular &&
+                        sentence.is(hung.last, {"are", "were"});
+    const int at = of_one ? hung.last : verb_behind(sentence, phrase.last);
     const FreeWord& verb = sentence[at];
     const bool wish =
         sentence.is(i - 1, {"if", "though", "that"}) && sentence.is(at, {"were", "be"});
@@ -239,83 +279,6 @@ void find_after_noun(const FreeSentence& sentence, int i, Proposals& proposals) 
     }
 }
 
-/// it be heavy, the weight being stronger: a plain form where a finite one belongs.
-void find_plain_be(const FreeSentence& sentence, int i, Proposals& proposals) {
-    if (!sentence.is(i, {"be", "being"}) || i == 0 || sentence[i].behind_stop) {
-        return;
-    }
-    const std::string& before = sentence.text(i - 1);
-    if (sentence.be_at(i - 1) && sentence.is(i, {"be"})) {
-        proposals.replace(i, ErrorCode::verb_form, "");
-        return;
-    }
-    if (before == "there" && i == 1) {
-        const bool many = sentence[i + 1].number || sentence[i + 1].plural_noun();
-        proposals.replace(i, ErrorCode::verb_form, many ? "are" : "is");
-        return;
-    }
-    const bool pronoun = (is_third_singular(before) || is_other_person(before)) &&
-                         sentence.clause_begins(i - 1) &&
-                         !sentence.is(i - 2, {"if", "that", "though"});
-    const NounPhrase subject = noun_phrase_at(sentence, 0);
-    const bool noun = subject.last == i && subject.determined && sentence.is(i, {"be"});
-    if (pronoun) {
-        proposals.replace(i, ErrorCode::verb_form,
-                          before == "i"               ? "am"
-                          : is_third_singular(before) ? "is"
-                                                      : "are");
-    } else if (noun) {
-        proposals.replace(i, ErrorCode::verb_form, subject.number == Number::plural ? "are" : "is");
-    }
-}
-
-/// must is go, you are push it: one verb too many.
-void find_extra_be(const FreeSentence& sentence, int i, Proposals& proposals) {
-    if (!sentence.is(i, {"is", "are"}) || i == 0 || sentence[i].behind_stop ||
-        sentence[i].before_stop) {
-        return;
-    }
-    const FreeWord& verb = sentence[i + 1];
-    const bool plain = (verb.closed ? sentence.is(i + 1, {"have", "do"})
-                                    : verb.mainly_verb() && verb.adjective_count == 0) &&
-                       verb.verb_plain && !verb.verb_in_s && !is_unchanged(verb.verb) &&
-                       !sentence.is(i + 1, {"come", "become", "run", "overcome"});
-    const bool subject =
-        (is_third_singular(sentence.text(i - 1)) || is_other_person(sentence.text(i - 1))) &&
-        sentence.clause_begins(i - 1);
-    const bool modal = is_modal(sentence.text(i - 1)) && !sentence[i - 1].behind_stop;
-    if (plain && (subject || modal) && !sentence.asks()) {
-        proposals.replace(i, ErrorCode::verb_form, "");
-    }
-}
-
-/// does not likes, can goes, did it has.
-void find_after_auxiliary(const FreeSentence& sentence, int i, Proposals& proposals) {
-    const bool help = sentence.is(i, {"do", "does", "did"});
-    if ((!help && !is_modal(sentence.text(i))) || sentence[i].before_stop) {
-        return;
-    }
-    int at = i + 1;
-    const bool has_not = sentence.is(at, {"not"});
-    at += has_not ? 1 : 0;
-    const bool turned = is_third_singular(sentence.text(at)) || is_other_person(sentence.text(at));
-    if (turned && !(i == 0 || is_question_word(sentence.text(i - 1)) || sentence[i].behind_stop)) {
-        return;
-    }
-    at += turned ? 1 : 0;
-    const FreeWord& verb = sentence[at];
-    const bool sure_verb = sentence.is(at, {"has", "does", "is"})
-                               ? (has_not || turned || is_modal(sentence.text(i)))
-                               : verb.verb_in_s && verb.mainly_verb() && !verb.closed;
-    if (sentence[at - 1].before_stop || !verb.verb_in_s || !sure_verb || verb.possessive) {
-        return;
-    }
-    const std::string plain = verb.text == "is" ? "be" : verb.verb;
-    if (plain != verb.text) {
-        proposals.replace(at, ErrorCode::verb_form, plain);
-    }
-}
-
 }  // namespace
 
 void find_agreement_errors(const FreeSentence& sentence, Proposals& proposals) {
@@ -323,10 +286,8 @@ void find_agreement_errors(const FreeSentence& sentence, Proposals& proposals) {
         find_after_pronoun(sentence, i, proposals);
         find_after_there(sentence, i, proposals);
         find_after_noun(sentence, i, proposals);
-        find_after_auxiliary(sentence, i, proposals);
-        find_plain_be(sentence, i, proposals);
-        find_extra_be(sentence, i, proposals);
     }
+    find_after_two(sentence, proposals);
 }
 
 }  // namespace fulcrum::dialogue

@@ -2,6 +2,7 @@
 #include "dialogue/checking/grammar_words.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
+#include "dialogue/english/number.h"
 
 #include <algorithm>
 
@@ -72,6 +73,11 @@ void find_after_indefinite(const FreeSentence& sentence, int i, Proposals& propo
     }
 }
 
+/// need, wants: what somebody hasn't got yet comes behind them.
+bool is_wanting(const FreeSentence& sentence, int i) {
+    return sentence.is(i, {"need", "needs", "needed", "want", "wants", "wanted"});
+}
+
 /// the a, my the, the some; the Jupiter.
 void find_doubled_determiner(const FreeSentence& sentence, int i, Proposals& proposals) {
     if (!is_central_determiner(sentence.text(i)) || sentence[i].before_stop ||
@@ -83,8 +89,17 @@ void find_doubled_determiner(const FreeSentence& sentence, int i, Proposals& pro
                          !sentence.is(i, {"her", "his", "its"});
     const bool some = sentence.is(i, {"the"}) && sentence.is(i + 1, {"some"});
     if ((doubled && sentence.text(i) != sentence.text(i + 1)) || some) {
-        const int wrong = some || is_possessive(sentence.text(i + 1)) ? i : i + 1;
+        // "It wants the a tail": none that is there already.
+        const bool wanted = is_wanting(sentence, i - 1) && is_indefinite(sentence, i + 1);
+        const int wrong = some || wanted || is_possessive(sentence.text(i + 1)) ? i : i + 1;
         proposals.replace(wrong, ErrorCode::extra_determiner, "");
+    }
+    // "There is no the wind".
+    if (sentence.is(i, {"a", "an", "the"}) && i > 0 && !sentence[i].behind_stop &&
+        sentence.is(i - 1, {"no", "any"}) && sentence[i + 1].noun_count > 0 &&
+        !(sentence.is(i - 1, {"no"}) && i == 1)) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+        return;
     }
     const bool planet = is_planet(sentence.text(i + 1)) && sentence[i + 1].capital &&
                         !sentence[i + 2].mainly_noun() && !sentence[i + 2].possessive;
@@ -159,8 +174,10 @@ void find_around_article(const FreeSentence& sentence, int i, Proposals& proposa
     } else if (sentence.is(i, {"the", "a"}) && sentence.is(i + 1, {"far"}) &&
                sentence.is(i + 2, {"from"})) {
         proposals.replace(i, ErrorCode::extra_determiner, "");
-    } else if (is_indefinite(sentence, i) && next.number && sentence[i + 2].plural_noun() &&
-               sentence.is_head(i + 2) &&
+    } else if (is_indefinite(sentence, i) && next.number &&
+               (sentence[i + 2].plural_noun() ||
+                (sentence[i + 2].singular_noun() && is_number_word(next.text))) &&
+               sentence.is_head(i + 2) && !next.hyphen_behind &&
                !sentence.is(i + 1, {"hundred", "thousand", "million", "dozen"})) {
         proposals.replace(i, ErrorCode::extra_determiner, "");
     } else if (sentence.is(i - 1, {"how"}) && sentence.is(i, {"a", "an", "the"}) &&
@@ -182,13 +199,20 @@ void find_bare_thing(const FreeSentence& sentence, int i, Proposals& proposals) 
     const FreeWord& noun = sentence[i];
     const FreeWord& next = sentence[i + 1];
     // Alone it is an answer; "egg yolk", "egg-like", "egg's", "apple and egg" and a name are other things.
+    // "Apple and a watermelon": one with an article, one without.
+    const bool other_has_one =
+        i == 0 && sentence.is(1, {"and"}) && noun_phrase_at(sentence, 2).determined;
+    const bool both =
+        other_has_one || (sentence.is(i - 1, {"both"}) && sentence.is(i + 1, {"and"}));
     if (!noun.thing || sentence.size() == 1 || noun.possessive || noun.hyphen_behind ||
-        (noun.capital && i > 0) || !sentence.is_head(i) || sentence.is(i + 1, {"and", "or"}) ||
+        (noun.capital && i > 0) || (!sentence.is_head(i) && next.degree != Degree::comparative) ||
+        (!both && sentence.is(i + 1, {"and", "or"})) ||
         (next.noun_count > 0 && next.mainly_noun() && !noun.before_stop)) {
         return;
     }
     int first = i;
     while (first > 0 && !sentence[first].behind_stop && !sentence[first - 1].closed &&
+           !sentence.is(first - 1, {"nearer", "closer"}) &&
            (sentence[first - 1].mainly_adjective() || is_material(sentence.text(first - 1)))) {
         --first;
     }
@@ -199,19 +223,38 @@ void find_bare_thing(const FreeSentence& sentence, int i, Proposals& proposals) 
                                     sentence.is(i + 1, {"has", "does", "did", "had"}) ||
                                     (next.verb_in_s && next.verb_count > 0 && !next.closed));
     const bool on_top = sentence.is(i, {"top"}) && sentence.is(first - 1, {"on", "at"});
+    // "We make it from cloth".
+    const bool made = sentence.has_before(first, "make");
     const bool place =
-        sentence.is(first - 1, {"than", "near", "nearer", "under", "behind", "on", "to", "towards",
-                                "at", "below", "above", "beside"}) ||
-        (sentence.is(first - 1, {"of"}) &&
-         sentence.is(first - 2, {"top", "tension", "weight", "pull", "end", "side", "middle"}));
+        !(made && sentence.is(first - 1, {"from"})) &&
+        (sentence.is(first - 1,
+                     {"than", "near", "nearer", "under", "behind", "on", "to", "towards", "at",
+                      "below", "above", "beside", "in", "from", "without", "into"}) ||
+         (sentence.is(first - 1, {"as"}) && sentence.is(first - 3, {"as", "so"})) ||
+         (sentence.is(first - 1, {"of"}) &&
+          sentence.is(first - 2, {"top", "tension", "weight", "pull", "end", "side", "middle",
+                                  "drag", "lift", "force", "pole", "axis"})));
     const FreeWord& before = sentence[first - 1];
-    const bool acts = before.mainly_verb() && !before.closed &&
-                      (before.verb_in_s || (before.verb_plain && sentence.ends_at(i)));
+    const bool wanted = is_wanting(sentence, first - 1);
+    // "We would change line", "make tail longer".
+    const bool can_act =
+        before.mainly_verb() ||
+        (first == 1 && before.verb_plain && before.verb_count > before.noun_count) ||
+        (before.verb_count > 0 &&
+         (is_modal(sentence.text(first - 2)) || sentence.is(first - 2, {"to", "me", "us"})));
+    const bool acts =
+        wanted ||
+        (can_act && !before.closed &&
+         (before.verb_in_s || (before.verb_plain && (sentence.ends_at(i) || next.closed ||
+                                                     next.degree == Degree::comparative))));
     const bool given = sentence.is(first - 2, {"give", "gives"}) && sentence.ends_at(i) &&
                        sentence.is(first - 1, {"it", "them"});
-    const bool object = !on_top && (place || sentence.be_at(first - 1) || acts || given);
-    if (subject || (object && !sentence[first].behind_stop)) {
-        proposals.insert(first, ErrorCode::missing_determiner, "the");
+    const bool object = !on_top && (both || place || sentence.be_at(first - 1) || acts || given);
+    // "Give it longer tail": it isn't there yet.
+    const bool other = first < i && !subject && sentence[first].degree == Degree::comparative;
+    if (subject || other_has_one || (object && !sentence[first].behind_stop)) {
+        proposals.insert(first, ErrorCode::missing_determiner,
+                         wanted || other ? indefinite_article(sentence.text(first)) : "the");
     }
 }
 
@@ -221,8 +264,18 @@ void find_bare_one(const FreeSentence& sentence, int i, Proposals& proposals) {
     const bool compared = word.degree == Degree::comparative && is_physical(word.adjective) &&
                           sentence.is(i + 1, {"one"}) && !word.before_stop;
     const bool open = i == 0 || word.behind_stop || (sentence.be_at(i - 1) && !sentence.asks());
-    if (compared && open) {
+    const FreeWord& next = sentence[i + 2];  // "it is heavier one day"
+    if (compared && open && (sentence.ends_at(i + 1) || next.closed || next.noun_count == 0)) {
         proposals.insert(i, ErrorCode::missing_determiner, "the");
+    }
+}
+
+/// It has only moon: a judge has to say so too.
+void find_only(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& noun = sentence[i];
+    if (sentence.is(i - 1, {"only"}) && sentence.is(i - 2, {"has", "have", "is"}) &&
+        !noun.possessive && (noun.thing || noun.singular_noun()) && sentence.is_head(i)) {
+        proposals.insert(i, ErrorCode::missing_determiner, "one", Certainty::asked);
     }
 }
 
@@ -231,13 +284,15 @@ void find_missing(const FreeSentence& sentence, int i, Proposals& proposals) {
     const FreeWord& noun = sentence[i];
     const bool capital_inside = noun.capital && (i > 0 || noun.noun_count < kPlainWord);
     if (noun.thing || !noun.singular_noun() || capital_inside || noun.possessive ||
-        !sentence.is_head(i) || is_planet(noun.text) || is_month_or_day(noun.text) ||
-        is_time_or_amount(noun.text)) {
+        !sentence.is_head(i) || is_planet(noun.text) || noun.written == "Earth" ||
+        is_month_or_day(noun.text) || is_time_or_amount(noun.text)) {
         return;
     }
     int first = i;
-    while (first > 0 && !sentence[first].behind_stop && sentence[first - 1].mainly_adjective() &&
-           sentence[first - 1].degree == Degree::positive) {
+    while (
+        first > 0 && !sentence[first].behind_stop && sentence[first - 1].mainly_adjective() &&
+        (sentence[first - 1].degree == Degree::positive ||
+         (sentence[first - 1].degree == Degree::comparative && is_wanting(sentence, first - 2)))) {
         --first;
     }
     const FreeWord& before = sentence[first - 1];
@@ -245,7 +300,7 @@ void find_missing(const FreeSentence& sentence, int i, Proposals& proposals) {
                       sentence.is(first - 1, {"is", "was"}) ||
                       sentence.is(first - 1, {"than", "like", "has", "have", "near", "under",
                                               "behind", "around", "towards"}) ||
-                      (before.mainly_verb() && !before.closed);
+                      is_wanting(sentence, first - 1) || (before.mainly_verb() && !before.closed);
     const bool starts = first == 0 || sentence[first].behind_stop;
     if (!open || before.number || (starts && !begins_clause(sentence, first, i))) {
         return;
@@ -265,6 +320,7 @@ void find_article_errors(const FreeSentence& sentence, Proposals& proposals) {
         find_around_article(sentence, i, proposals);
         find_bare_thing(sentence, i, proposals);
         find_bare_one(sentence, i, proposals);
+        find_only(sentence, i, proposals);
         find_missing(sentence, i, proposals);
     }
 }

@@ -1,6 +1,10 @@
 #include "dialogue/checking/checker.h"
 
+#include "dialogue/checking/author_slips.h"
+#include "dialogue/checking/corrections.h"
+#include "dialogue/checking/doubts.h"
 #include "dialogue/checking/proposal.h"
+#include "dialogue/checking/unread.h"
 #include "dialogue/english/letters.h"
 
 #include <algorithm>
@@ -9,6 +13,8 @@
 
 namespace fulcrum::dialogue {
 namespace {
+
+constexpr int kMostRounds = 4;  // of mending; what isn't right then never will be
 
 /// Two that change the same place, or stand at the same place.
 bool meet(const Proposal& a, const Proposal& b) {
@@ -21,42 +27,6 @@ bool meets_any(const std::vector<Proposal>& list, const Proposal& proposal) {
                        [&](const Proposal& other) { return meet(other, proposal); });
 }
 
-/// Bytes [begin, end) of `text` with the proposals in it carried out, each between two `mark`s.
-std::string carried_out(std::string_view text, std::size_t begin, std::size_t end,
-                        std::vector<Proposal> proposals, std::string_view mark = {}) {
-    std::sort(proposals.begin(), proposals.end(),
-              [](const Proposal& a, const Proposal& b) { return a.begin < b.begin; });
-    std::string result;
-    std::size_t at = begin;
-    for (const Proposal& proposal : proposals) {
-        result.append(text.substr(at, proposal.begin - at));
-        // Blanks stand outside the marks.
-        std::string_view right = proposal.right;
-        const bool apart = right.starts_with(' ');
-        right.remove_prefix(apart ? 1 : 0);
-        const bool spaced = right.ends_with(' ');
-        right.remove_suffix(spaced ? 1 : 0);
-        result.append(apart ? " " : "");
-        if (!right.empty()) {
-            result.append(mark).append(right).append(mark);
-        }
-        result.append(spaced ? " " : "");
-        at = proposal.end;
-    }
-    return result.append(text.substr(at, end - at));
-}
-
-/// The sentence as a judge reads it: one that begins with a common word begins small, and has a stop.
-std::string for_judge(const FreeSentence& sentence, std::string text) {
-    const FreeWord& first = sentence[0];
-    if (first.capital && first.text != "i" && (first.closed || first.known) && !text.empty() &&
-        text[0] >= 'A' && text[0] <= 'Z') {
-        text[0] = static_cast<char>(text[0] - 'A' + 'a');
-    }
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text + (sentence.asks() ? "?" : ".");
-}
-
 std::vector<Proposal> propose(const Lexicon& lexicon, const FreeSentence& sentence) {
     Proposals proposals(sentence);
     find_comparison_errors(lexicon, sentence, proposals);
@@ -64,66 +34,177 @@ std::vector<Proposal> propose(const Lexicon& lexicon, const FreeSentence& senten
     find_missing_words(sentence, proposals);
     find_making_errors(sentence, proposals);
     find_agreement_errors(sentence, proposals);
+    find_verb_form_errors(sentence, proposals);
     find_number_errors(lexicon, sentence, proposals);
     find_article_errors(sentence, proposals);
+    find_place_errors(sentence, proposals);
     return proposals.take();
+}
+
+/// One sentence, before its judge.
+class Trial {
+  public:
+    Trial(SentenceJudge& judge, const FreeSentence& sentence, std::string_view text)
+        : judge_(judge), sentence_(sentence), text_(text) {}
+
+    /// The misfits of the sentence with these carried out.
+    std::optional<int> misfits(const std::vector<Proposal>& proposals) {
+        return judge_.misfits(
+            for_judge(sentence_, 0,
+                      carried_out(text_, sentence_[0].begin, sentence_[sentence_.size() - 1].end,
+                                  proposals)));
+    }
+
+  private:
+    SentenceJudge& judge_;
+    const FreeSentence& sentence_;
+    std::string_view text_;
+};
+
+/// Of `asked` the one that makes all of it fit, or several that do so together, and `taken`; `taken` alone where none do.
+std::vector<Proposal> ask(Trial& trial, const std::vector<Proposal>& taken,
+                          const std::vector<Proposal>& asked) {
+    const auto misfits = asked.empty() ? std::nullopt : trial.misfits(taken);
+    if (!misfits || *misfits == 0) {
+        return taken;  // it can't tell, or all is well
+    }
+    std::vector<Proposal> better;
+    for (const Proposal& proposal : asked) {
+        std::vector<Proposal> with = taken;
+        with.push_back(proposal);
+        const auto then = trial.misfits(with);
+        if (then && *then == 0) {
+            return with;  // now all of it fits
+        }
+        if (then && *then < *misfits) {
+            better.push_back(proposal);
+        }
+    }
+    // "I put apple on table" fits only when both are mended.
+    std::vector<Proposal> together = taken;
+    for (const Proposal& proposal : better) {
+        if (!meets_any(together, proposal)) {
+            together.push_back(proposal);
+        }
+    }
+    return better.size() > 1 && trial.misfits(together) == 0 ? together : taken;
 }
 
 /// The proposals that hold, none over another.
 std::vector<Proposal> decide(const Lexicon& lexicon, SentenceJudge& judge,
                              const FreeSentence& sentence, std::string_view text) {
-    const std::vector<Proposal> proposals = propose(lexicon, sentence);
     std::vector<Proposal> taken;
-    for (const Proposal& proposal : proposals) {
-        if (proposal.certainty == Certainty::sure && !meets_any(taken, proposal)) {
-            taken.push_back(proposal);
+    std::vector<Proposal> asked;
+    for (Proposal& proposal : propose(lexicon, sentence)) {
+        const bool sure = proposal.certainty == Certainty::sure;
+        if (!sure || !meets_any(taken, proposal)) {
+            (sure ? taken : asked).push_back(std::move(proposal));
         }
     }
-    const std::size_t begin = sentence[0].begin;
-    const std::size_t end = sentence[sentence.size() - 1].end;
-    std::optional<int> misfits;
-    for (const Proposal& proposal : proposals) {
-        if (proposal.certainty != Certainty::asked || meets_any(taken, proposal)) {
+    std::erase_if(asked, [&](const Proposal& proposal) { return meets_any(taken, proposal); });
+    Trial trial(judge, sentence, text);
+    return ask(trial, taken, asked);
+}
+
+/// What is wrong in `text` as it stands, in its order.
+std::vector<Proposal> find_once(const Lexicon& lexicon, SentenceJudge& judge, std::string_view text,
+                                const std::vector<std::string>& things) {
+    std::vector<Proposal> all;
+    for (const FreeSentence& sentence : read_sentences(lexicon, text, things)) {
+        if (sentence.size() > kMostFreeWords) {
             continue;
         }
-        if (!misfits) {
-            misfits = judge.misfits(for_judge(sentence, carried_out(text, begin, end, taken)));
-        }
-        if (!misfits || *misfits == 0) {
-            break;  // it can't tell, or all is well
-        }
-        std::vector<Proposal> with = taken;
-        with.push_back(proposal);
-        const auto then = judge.misfits(for_judge(sentence, carried_out(text, begin, end, with)));
-        if (then && *then == 0) {
-            return with;  // now all of it fits
+        for (Proposal& proposal : decide(lexicon, judge, sentence, text)) {
+            all.push_back(std::move(proposal));
         }
     }
-    return taken;
+    return all;
+}
+
+/// Whether `proposal` is right can be told though the rest of `sentences` may be none: a verb and a pronoun are missing in a sentence
+/// only, and an article before a noun.
+bool stands_alone(const Proposal& proposal, const std::vector<FreeSentence>& sentences) {
+    switch (proposal.code) {
+        case ErrorCode::missing_verb:
+        case ErrorCode::missing_pronoun:
+        case ErrorCode::extra_pronoun:
+        case ErrorCode::word_order:
+            return false;
+        case ErrorCode::missing_determiner:
+            break;
+        default:
+            return true;
+    }
+    for (const FreeSentence& sentence : sentences) {
+        for (int i = 0; i < sentence.size(); ++i) {
+            if (sentence[i].begin >= proposal.begin) {
+                return sentence[i].thing || sentence[i].mainly_noun();
+            }
+        }
+    }
+    return false;
+}
+
+/// Nobody doubts a sentence of `text`: no rule, not even one that a judge overruled, and the judge of all of it.
+bool is_sound(const Lexicon& lexicon, SentenceJudge& judge, std::string_view text,
+              const std::vector<std::string>& things) {
+    const std::vector<FreeSentence> sentences = read_sentences(lexicon, text, things);
+    return std::all_of(sentences.begin(), sentences.end(), [&](const FreeSentence& sentence) {
+        return sentence.size() <= kMostFreeWords && !is_doubtful(sentence) &&
+               propose(lexicon, sentence).empty() && Trial(judge, sentence, text).misfits({}) == 0;
+    });
 }
 
 }  // namespace
 
 CheckedText EnglishChecker::check(std::string_view text) {
-    CheckedText checked;
-    std::vector<Proposal> all;
-    for (const FreeSentence& sentence : read_sentences(lexicon_, text, things_)) {
-        if (sentence.size() > kMostFreeWords) {
-            continue;
-        }
-        for (Proposal& proposal : decide(lexicon_, *judge_, sentence, text)) {
-            all.push_back(std::move(proposal));
-        }
+    // What one error hides is found when that one is mended.
+    const std::string_view head = text.substr(0, kLongestFreeText_bytes);
+    std::vector<Proposal> all = find_once(lexicon_, *judge_, head, things_);
+    bool settled = all.empty();
+    for (int round = 1; round < kMostRounds && !settled; ++round) {
+        const std::string so_far = carried_out(head, 0, head.size(), all);
+        std::vector<Proposal> more = find_once(lexicon_, *judge_, so_far, things_);
+        settled = more.empty();
+        all = joined(head, std::move(all), std::move(more));
     }
-    std::sort(all.begin(), all.end(),
-              [](const Proposal& a, const Proposal& b) { return a.begin < b.begin; });
+    CheckedText checked;
+    const std::vector<FreeSentence> sentences =
+        all.empty() ? std::vector<FreeSentence>{} : read_sentences(lexicon_, head, things_);
     for (const Proposal& proposal : all) {
-        const std::string_view said = text.substr(proposal.begin, proposal.end - proposal.begin);
-        checked.errors.push_back(
-            {proposal.code, proposal.begin, proposal.end, std::string(said), proposal.right});
+        const std::string_view said = head.substr(proposal.begin, proposal.end - proposal.begin);
+        checked.errors.push_back({proposal.code, proposal.begin, proposal.end, std::string(said),
+                                  proposal.right, stands_alone(proposal, sentences)});
     }
     checked.corrected = carried_out(text, 0, text.size(), all);
     checked.marked = carried_out(text, 0, text.size(), all, "*");
+    checked.settled = settled;
+    return checked;
+}
+
+CheckedText EnglishChecker::advise(std::string_view text) {
+    CheckedText checked = check(text);
+    checked.proven = checked.settled && text.size() <= kLongestFreeText_bytes &&
+                     is_sound(lexicon_, *judge_, checked.corrected, things_);
+    return checked;
+}
+
+CheckedText EnglishChecker::review(std::string_view text) {
+    CheckedText checked = advise(text);
+    if (!checked.errors.empty()) {
+        return checked;
+    }
+    const std::string_view head = text.substr(0, kLongestFreeText_bytes);
+    const std::vector<FreeSentence> sentences = read_sentences(lexicon_, head, things_);
+    checked.errors = find_author_slips(sentences, head);
+    if (!checked.errors.empty()) {
+        checked.proven = false;  // the words that are to be others may fit in some other sentence
+        return checked;
+    }
+    checked.unread = find_doubtful_question(sentences, head);
+    if (!checked.proven && checked.unread.empty()) {
+        checked.unread = find_unread(*judge_, sentences, head);
+    }
     return checked;
 }
 

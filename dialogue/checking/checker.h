@@ -1,7 +1,8 @@
 // Finds errors of form in a free English sentence, which no template foresees: "I felt a rock hard", "it have two moon".
 //
 //   text -> sentences with their words (reading) -> rules propose (proposal) -> a judge of whole sentences decides
-//           where the words alone can't -> errors with ERRANT's codes, and the corrected text
+//           where the words alone can't -> put right and read again, until nothing more is found
+//        -> errors with ERRANT's codes, and the corrected text
 //
 // It rather says nothing than something wrong: what it marks is an error in 199 of 200 sentences at least that are
 // none. It doesn't know what was meant.
@@ -28,6 +29,8 @@ struct FreeError {
     std::size_t end = 0;
     std::string said;   ///< those bytes
     std::string right;  ///< what belongs there; empty where nothing does
+    /// These words can be told without their sentence; a verb, a pronoun or an order needs all of it.
+    bool alone = true;
 };
 
 /// A text, checked.
@@ -35,6 +38,13 @@ struct CheckedText {
     std::vector<FreeError> errors;  ///< in the order of the text, none over another
     std::string corrected;          ///< the text with all of them put right; all else as it was
     std::string marked;             ///< the same with what was put right in *asterisks*
+    bool settled =
+        true;  ///< nothing more is found in `corrected`; false where mending came to no end
+    /// `corrected` is English: settled, a judge finds that all of it fits, and no rule has a doubt. Only `advise` says so.
+    bool proven = false;
+    /// Where nothing is wrong that a rule knows: the first clause that a grammar cannot read whole (unread.h); "" where it can. Only `review`
+    /// says so.
+    std::string unread{};
 };
 
 /// Checks texts.
@@ -49,7 +59,15 @@ class EnglishChecker {
     void set_things(std::vector<std::string> things) { things_ = std::move(things); }
 
     /// Only the first kLongestFreeText_bytes are looked at; what is behind is kept as it is.
+    /// What is put right is checked again, so that one error hides no other.
     [[nodiscard]] CheckedText check(std::string_view text);
+
+    /// The same for somebody who is to be told good English: whether the outcome is that is `proven`. What isn't must not be said as a
+    /// sentence. Costs a parse more for each sentence.
+    [[nodiscard]] CheckedText advise(std::string_view text);
+
+    /// The same for somebody who writes for others: where nothing is wrong, what is `unread` too. Costs another parse where it isn't proven.
+    [[nodiscard]] CheckedText review(std::string_view text);
 
   private:
     Lexicon lexicon_;

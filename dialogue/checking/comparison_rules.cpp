@@ -73,18 +73,11 @@ bool is_moved(const FreeSentence& sentence, int i, Degree degree) {
     const bool near = sentence.is(i + 1, {"near"}) &&
                       (degree == Degree::superlative || sentence.is(i + 2, {"to"}) ||
                        (behind_be(sentence, i) && before.verb != "turn"));
-    return alone &&
-           (good || near || (sentence.is(i + 1, {"fast"}) && degree == Degree::comparative));
-}
-
-/// "Make the tail more long": made so.
-bool has_made(const FreeSentence& sentence, int i) {
-    for (int at = 0; at < i - 1; ++at) {
-        if (sentence[at].verb == "make") {
-            return true;
-        }
-    }
-    return false;
+    // An adverb as it stands: "flies more high", "pulls more hard". "It turns more low" may be any.
+    const bool how = before.mainly_verb() && !before.closed &&
+                     sentence.is(i + 1, {"high", "hard"}) && !sentence[i + 3].mainly_adjective();
+    const bool fast = sentence.is(i + 1, {"fast"});
+    return alone && (good || near || ((how || fast) && degree == Degree::comparative));
 }
 
 /// more heavier, most heaviest; more heavy, most heavy.
@@ -125,12 +118,15 @@ void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
                        (sentence.is(i + 2, {"one", "ones"}) ||
                         (sentence[i + 2].noun_count > 0 && sentence.is_head(i + 2) &&
                          (sentence.be_at(i + 3) || sentence.ends_at(i + 2))));
-    const bool made = sentence.ends_at(i + 1) && has_made(sentence, i) &&
+    // "Make the tail more long": made so.
+    const bool made = sentence.ends_at(i + 1) && sentence.has_before(i - 1, "make") &&
                       sentence[i - 1].mainly_noun() && is_physical(word.text);
     const bool than = sentence.is(i + 2, {"than"}) && !sentence[i + 1].before_stop &&
                       !sentence[i + 3].mainly_adjective();
-    const bool alone = sentence.ends_at(i + 1) || sentence[i + 2].closed ||
-                       sentence.is(i + 2, {"far", "near", "here"});
+    // "More high than low places": more of them.
+    const bool counts = sentence.is(i + 2, {"than"}) && sentence[i + 3].mainly_adjective();
+    const bool alone = !counts && (sentence.ends_at(i + 1) || sentence[i + 2].closed ||
+                                   sentence.is(i + 2, {"far", "near", "here"}));
     const bool superlative = degree == Degree::superlative;
     const bool fits =
         superlative ? sentence.is(i - 1, {"the"}) || (alone && behind_be(sentence, i))
@@ -218,14 +214,72 @@ void find_than(const FreeSentence& sentence, int i, Proposals& proposals) {
     const bool comparative =
         (is_compared(word) && word.degree == Degree::comparative) || sentence.is(i - 1, {"more"});
     if (sentence.is(i + 1, {"then"}) && comparative &&
-        behind_be(sentence, sentence.is(i - 1, {"more"}) ? i - 1 : i) &&
+        (behind_be(sentence, sentence.is(i - 1, {"more"}) ? i - 1 : i) ||
+         is_physical(word.adjective) || sentence.is(i, {"faster"})) &&
         !sentence[i + 1].before_stop) {
         const int rest = noun_phrase_at(sentence, i + 2).last;
+        const bool goes_on = sentence.is(rest, {"when", "if", "as", "and", "because", "so"});
+        const FreeWord& named = sentence[i + 2];
+        const int place =
+            sentence.is(i + 2, {"in", "without"}) ? noun_phrase_at(sentence, i + 3).last : i + 2;
         const bool names_thing =
-            rest > i + 2 && (rest >= sentence.size() || sentence[rest - 1].before_stop);
+            (rest > i + 2 &&
+             (rest >= sentence.size() || sentence[rest - 1].before_stop || goes_on)) ||
+            (is_planet(sentence.text(i + 2)) && sentence.ends_at(i + 2)) ||
+            (sentence.is(i + 2, {"that", "this"}) && sentence.ends_at(i + 2)) ||
+            (is_measured(named.text) && (sentence.ends_at(i + 2) || goes_on ||
+                                         sentence.is(i + 3, {"now", "then", "there"}))) ||
+            (!named.closed && named.noun_count > 0 && !named.verb_in_s && !named.mainly_verb() &&
+             named.adverb_count == 0 && sentence.ends_at(i + 2)) ||
+            (place > i + 3 &&
+             (place >= sentence.size() || sentence.is(place, {"when", "if", "as"}))) ||
+            (sentence.is(i + 2, {"before"}) &&
+             (sentence.ends_at(i + 2) || sentence.is(i + 3, {"when", "if", "as"}))) ||
+            (sentence.is(i + 2, {"the"}) && sentence.is(i + 3, {"other", "others"}) &&
+             !sentence.be_at(i + 4)) ||
+            (sentence.is(i + 2, {"all", "any"}) &&
+             sentence.is(i + 3, {"the", "other", "others"})) ||
+            (sentence.is(i + 2, {"everything", "anything"}) && sentence.is(i + 3, {"else"}));
         if (names_thing) {
             proposals.replace(i + 1, ErrorCode::wrong_preposition, "than");
         }
+    }
+}
+
+/// heavier as the egg, stronger as before; not "heavier as a whole", "heavier as the day goes on".
+void find_as(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const int named =
+        is_planet(sentence.text(i + 2)) ? i + 3 : noun_phrase_at(sentence, i + 2).last;
+    const bool thing =
+        named > i + 2 && named >= sentence.size() &&
+        (is_planet(sentence.text(i + 2)) ||
+         (is_central_determiner(sentence.text(i + 2)) && !sentence.is(i + 2, {"a", "an"}) &&
+          !is_time_or_amount(sentence[named - 1].text)));
+    const bool before = sentence.is(i + 2, {"before"}) && sentence.ends_at(i + 2);
+    if (sentence.is(i + 1, {"as"}) && !sentence[i].before_stop && !sentence[i + 1].before_stop &&
+        !sentence.is(i - 1, {"as"}) && (thing || before) && behind_be(sentence, i)) {
+        proposals.replace(i + 1, ErrorCode::wrong_preposition, "than");
+    }
+}
+
+/// pulls more hardly, flies more fastly: adjectives that are adverbs as they stand.
+void find_double_adverb(const FreeSentence& sentence, int i, Proposals& proposals) {
+    if (sentence.is(i, {"more"}) && !sentence[i].before_stop &&
+        sentence.is(i + 1, {"hardly", "fastly"}) &&
+        (sentence.ends_at(i + 1) || sentence.is(i + 2, {"than"}))) {
+        proposals.replace(i, i + 2, ErrorCode::morphology,
+                          sentence.is(i + 1, {"hardly"}) ? "harder" : "faster");
+    }
+}
+
+/// is too much heavy.
+void find_too_much(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& word = sentence[i + 2];
+    if (sentence.is(i, {"too", "so", "very"}) && sentence.is(i + 1, {"much"}) &&
+        sentence.be_at(i - 1) && is_physical(word.text) && word.mainly_adjective() &&
+        word.degree == Degree::positive && !sentence[i + 1].before_stop &&
+        (sentence.ends_at(i + 2) || sentence.is(i + 3, {"to", "and", "because"}))) {
+        proposals.replace(i + 1, ErrorCode::wrong_adverb, "");
     }
 }
 
@@ -265,6 +319,7 @@ void find_around(const FreeSentence& sentence, int i, Proposals& proposals) {
     }
     if (word.degree == Degree::comparative) {
         find_that(sentence, i, proposals);
+        find_as(sentence, i, proposals);
         if (sentence.is(i - 1, {"very"}) && !sentence.is(i - 2, {"the"})) {
             proposals.replace(i - 1, ErrorCode::wrong_adverb, "much");
         }
@@ -287,7 +342,9 @@ void find_bare_superlative(const FreeSentence& sentence, int i, Proposals& propo
     const int last = with_most ? i + 1 : i;
     const bool alone = sentence.ends_at(last) || sentence.is(last + 1, {"one", "of", "in"}) ||
                        (inflected && sentence[last + 1].singular_noun());
-    if ((with_most || inflected) && sentence.be_at(i - 1) && alone &&
+    const bool by_far = sentence.is(i - 1, {"far"}) && sentence.is(i - 2, {"by"});
+    const int be = by_far ? i - 3 : (sentence.is(i - 1, {"not", "still"}) ? i - 2 : i - 1);
+    if ((with_most || inflected) && sentence.be_at(be) && alone &&
         !is_question_word(sentence.text(0)) && !sentence.asks()) {
         proposals.insert(i, ErrorCode::missing_determiner, "the");
     }
@@ -303,6 +360,8 @@ void find_comparison_errors(const Lexicon& lexicon, const FreeSentence& sentence
         find_than(sentence, i, proposals);
         find_around(sentence, i, proposals);
         find_very(sentence, i, proposals);
+        find_too_much(sentence, i, proposals);
+        find_double_adverb(sentence, i, proposals);
         find_bare_superlative(sentence, i, proposals);
     }
 }

@@ -73,6 +73,9 @@ constexpr auto kMonthsAndDays = std::to_array<std::string_view>(
      "wednesday", "thursday",  "friday",  "saturday", "sunday",   "christmas", "easter"});
 constexpr auto kPlanets = std::to_array<std::string_view>(
     {"mercury", "venus", "mars", "jupiter", "saturn", "uranus", "neptune", "pluto", "ceres"});
+constexpr auto kSameInPast =
+    std::to_array<std::string_view>({"put", "let", "cut", "hit", "read", "set", "cost", "hurt",
+                                     "shut", "beat", "spread", "quit", "bet"});
 constexpr auto kLightAdverbs = std::to_array<std::string_view>(
     {"also", "very", "really", "always", "never", "often", "usually", "just", "only", "still", "so",
      "too", "quite", "even", "sometimes", "not", "now", "much"});
@@ -120,6 +123,10 @@ bool is_telling_verb(std::string_view word) {
     return contains(kTelling, word);
 }
 
+bool is_same_in_past(std::string_view base) {
+    return contains(kSameInPast, base);
+}
+
 bool is_strictly_mass(std::string_view noun) {
     return contains(kStrictlyMass, noun);
 }
@@ -142,6 +149,12 @@ bool is_time_or_amount(std::string_view noun) {
 
 bool is_month_or_day(std::string_view noun) {
     return contains(kMonthsAndDays, noun);
+}
+
+bool is_measured(std::string_view word) {
+    constexpr auto kMeasured = std::to_array<std::string_view>(
+        {"lift", "drag", "weight", "tension", "gravity", "torque", "friction"});
+    return contains(kMeasured, word);
 }
 
 bool is_planet(std::string_view word) {

@@ -22,6 +22,8 @@ namespace fulcrum::dialogue {
 [[nodiscard]] bool is_question_word(std::string_view word);
 /// feels, looks, sounds, …: an adjective follows
 [[nodiscard]] bool is_linking_verb(std::string_view base);
+/// put, cut, hit: the same in the past as in the present
+[[nodiscard]] bool is_same_in_past(std::string_view base);
 /// think, say, know: "that" or a whole clause follows
 [[nodiscard]] bool is_telling_verb(std::string_view word);
 /// advice, information: never a or an, never a plural
@@ -36,6 +38,8 @@ namespace fulcrum::dialogue {
 [[nodiscard]] bool is_time_or_amount(std::string_view noun);
 [[nodiscard]] bool is_month_or_day(std::string_view noun);
 [[nodiscard]] bool is_planet(std::string_view word);
+/// Lift, drag, weight: what is measured, said with an article or without.
+[[nodiscard]] bool is_measured(std::string_view word);
 /// also, very, always: may stand between subject and verb or before an adjective
 [[nodiscard]] bool is_light_adverb(std::string_view word);
 

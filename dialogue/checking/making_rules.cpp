@@ -40,16 +40,17 @@ void find_participle(const FreeSentence& sentence, int i, Proposals& proposals) 
 
 /// made by metal, made with wood, made metal.
 void find_preposition(const FreeSentence& sentence, int i, Proposals& proposals) {
-    const bool passive =
-        sentence.is(i, {"made", "make", "makes", "maked"}) && !sentence[i].before_stop &&
-        (sentence.be_at(i - 1) || sentence[i - 1].mainly_noun() || sentence.is(i - 1, {"not"}));
+    const bool passive = sentence.is(i, {"made", "make", "makes", "maked"}) &&
+                         !sentence[i].before_stop &&
+                         (sentence.be_at(i - 1) || sentence[i - 1].mainly_noun() ||
+                          sentence.is(i - 1, {"not", "be", "something"}));
     if (!passive) {
         return;
     }
     if (sentence.is(i + 1, {"by", "with", "in", "for"}) && material_at(sentence, i + 2) >= 0) {
         proposals.replace(i + 1, ErrorCode::wrong_preposition, "of");
-    } else if (sentence.be_at(i - 1) && sentence.is(i, {"made"}) &&
-               material_at(sentence, i + 1) == i + 1) {
+    } else if ((sentence.be_at(i - 1) || sentence.is(i - 1, {"be", "not", "something"})) &&
+               sentence.is(i, {"made"}) && material_at(sentence, i + 1) == i + 1) {
         proposals.insert(i + 1, ErrorCode::missing_preposition, "of");
     }
 }
@@ -66,7 +67,11 @@ void find_auxiliary(const FreeSentence& sentence, Proposals& proposals) {
         return;
     }
     const int of = sentence.is(made + 1, {"out"}) ? made + 2 : made + 1;
-    const int material = material_at(sentence, of + 1);
+    int named = of + 1;
+    while (sentence[named].mainly_adjective() && !is_material(sentence.text(named))) {
+        ++named;  // "of thick paper"
+    }
+    const int material = material_at(sentence, named);
     const bool plural =
         pronoun ? sentence.is(0, {"they", "these"}) : subject.number == Number::plural;
     const std::string be = plural ? "are" : "is";
@@ -77,6 +82,15 @@ void find_auxiliary(const FreeSentence& sentence, Proposals& proposals) {
         proposals.insert(made, ErrorCode::missing_verb, be);
     } else if (sentence.is(made, {"makes", "make"})) {
         proposals.replace(made, ErrorCode::verb_voice, be + " made");
+    }
+}
+
+/// made of the metal; "made of a metal" has its rule among the articles.
+void find_the_material(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const bool made = sentence.is(i, {"made"}) && sentence.be_at(i - 1);
+    if (made && sentence.is(i + 1, {"of"}) && sentence.is(i + 2, {"the"}) &&
+        is_material(sentence.text(i + 3)) && sentence.ends_at(i + 3)) {
+        proposals.replace(i + 2, ErrorCode::extra_determiner, "");
     }
 }
 
@@ -94,6 +108,7 @@ void find_making_errors(const FreeSentence& sentence, Proposals& proposals) {
     for (int i = 0; i < sentence.size(); ++i) {
         find_participle(sentence, i, proposals);
         find_preposition(sentence, i, proposals);
+        find_the_material(sentence, i, proposals);
         find_maked(sentence, i, proposals);
     }
     find_auxiliary(sentence, proposals);

@@ -30,6 +30,26 @@ bool has_verb_from(const FreeSentence& sentence, int i) {
     return false;
 }
 
+/// Behind the adjectives that begin at `i` and are all that follows, "hard, smooth and slippery", with commas or without: how many they are; 0
+/// where something else follows.
+int listed_adjectives(const FreeSentence& sentence, int i) {
+    int count = 0;
+    while (i < sentence.size()) {
+        if (sentence.is(i, {"and", "but", "very", "so", "too", "really", "also"})) {
+            ++i;
+            continue;
+        }
+        const FreeWord& word = sentence[i];
+        if (word.closed || word.degree != Degree::positive || !is_physical(word.text) ||
+            word.adjective_count == 0) {
+            return 0;
+        }
+        ++count;
+        ++i;
+    }
+    return count;
+}
+
 /// there no wind; there two moons.
 void find_missing_after_there(const FreeSentence& sentence, int i, Proposals& proposals) {
     const bool there =
@@ -43,9 +63,40 @@ void find_missing_after_there(const FreeSentence& sentence, int i, Proposals& pr
                          sentence[i + 3].plural_noun() ? "are" : "is");
         return;
     }
+    if (there && sentence.is(i + 1, {"more", "less", "enough"}) && sentence[i + 2].noun_count > 0 &&
+        !sentence[i + 2].plural_noun() && !has_verb_from(sentence, i)) {
+        proposals.insert(i + 1, ErrorCode::missing_verb, "is");
+        return;
+    }
     if (there && (one || sentence[i + 1].number) && sentence[i + 2].noun_count > 0) {
         const bool many = !one || (sentence.is(i + 1, {"no"}) && sentence[i + 2].plural_noun());
         proposals.insert(i + 1, ErrorCode::missing_verb, many ? "are" : "is");
+    }
+}
+
+/// because no wind, because not wind; because is no wind, because is more wind.
+void find_missing_there(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& noun = sentence[i + 1];
+    const bool because = sentence.is(i - 1, {"because"}) && !sentence[i].behind_stop;
+    const bool named = !noun.closed && noun.noun_count > 0 && !noun.mainly_adjective() &&
+                       noun.degree == Degree::positive;
+    const bool many = noun.plural_noun();
+    if (because && sentence.is(i, {"no", "not"}) && named && sentence.ends_at(i + 1) &&
+        noun.noun_count > noun.verb_count) {
+        const std::string there = many ? "there are" : "there is";
+        if (sentence.is(i, {"no"})) {
+            proposals.insert(i, ErrorCode::missing_verb, there);
+        } else if (noun.mainly_noun()) {
+            proposals.replace(i, ErrorCode::missing_verb, there + " no");
+        }
+        return;
+    }
+    const FreeWord& counted = sentence[i + 2];
+    const bool amount = sentence.is(i + 1, {"no", "more", "less", "enough"}) &&
+                        counted.mainly_noun() && !counted.possessive && sentence.is_head(i + 2) &&
+                        !is_material(counted.text);
+    if (because && sentence.is(i, {"is", "are"}) && amount && !sentence.asks()) {
+        proposals.insert(i, ErrorCode::missing_pronoun, "there");
     }
 }
 
@@ -58,15 +109,22 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
         }
         const FreeWord& word = sentence[at];
         const bool adjective =
-            word.mainly_adjective() && word.verb_count <= 1 + word.adjective_count / 8 &&
-            (sentence.ends_at(at) || sentence.is(at + 1, {"and", "than", "but", "because", "to",
-                                                          "when", "if", "near", "far"}));
+            (i == 0 && !sentence.asks() && listed_adjectives(sentence, at) > 1) ||
+            (word.mainly_adjective() && word.verb_count <= 1 + word.adjective_count / 8 &&
+             (sentence.ends_at(at) ||
+              sentence.is(at + 1, {"and", "than", "but", "because", "to", "when", "if", "near",
+                                   "far", "at", "on"})));
         const NounPhrase thing = noun_phrase_at(sentence, at);
         const bool verbless = i == 0 && !has_verb_from(sentence, 0) && !sentence.asks();
-        const bool noun =
-            sentence.is(at, {"a", "an", "the"}) && i == 0 && thing.last > at &&
-            (sentence.ends_at(thing.head) || (verbless && sentence.is(thing.last, {"of"}))) &&
-            !sentence.is(i, {"you", "i"});
+        const bool noun = sentence.is(at, {"a", "an", "the"}) && i == 0 && thing.last > at &&
+                          (sentence.ends_at(thing.head) ||
+                           (verbless && sentence.is(thing.last, {"of", "in", "from"})) ||
+                           sentence.is(thing.last, {"that", "which"})) &&
+                          !sentence.is(i, {"you", "i"});
+        // "It the blue one".
+        const bool one = i == 0 && verbless && sentence.is(at, {"the"}) && at == i + 1 &&
+                         sentence[at + 1].mainly_adjective() && sentence.is(at + 2, {"one"}) &&
+                         sentence.ends_at(at + 2);
         // "It Venus", "it under the red block".
         const bool place =
             verbless && sentence.is(i, {"it"}) && at == i + 1 &&
@@ -74,18 +132,24 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
                                                                "above", "below", "near", "next"}) &&
                                               sentence.size() > at + 2));
         const bool number = i == 0 && sentence.is(i, {"it"}) && at == i + 1 && sentence[at].number;
-        if (adjective || noun || number || place) {
+        if (adjective || noun || one || number || place) {
             proposals.insert(i + 1, ErrorCode::missing_verb, be_of(sentence.text(i)));
         }
         return;
     }
     find_missing_after_there(sentence, i, proposals);
-    if (i != 0 && !sentence.is(i - 1, {"because", "but"})) {
+    const bool joined = sentence.joins_clauses(i - 1) && !sentence.is(i - 1, {"then", "so"});
+    // "A bit bigger" is a whole answer.
+    if ((i != 0 && !joined) ||
+        (sentence.is(i, {"a"}) && sentence.is(i + 1, {"bit", "lot", "little"}))) {
         return;
     }
     NounPhrase subject = noun_phrase_at(sentence, i);
     if (is_planet(sentence.text(i))) {
         subject = {i, i + 1, i, true, true, Number::singular};
+    }
+    if (is_measured(sentence.text(i)) && sentence[i + 1].degree == Degree::comparative) {
+        subject = {i, i + 1, i, false, true, Number::singular};  // "lift stronger than drag"
     }
     const int at = subject.last;
     if (at == i || sentence[at - 1].before_stop) {
@@ -99,11 +163,15 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
                            (sentence.is(at + 2, {"than", "to"}) || sentence.ends_at(at + 1));
     const bool superlative =
         sentence.is(at, {"the"}) &&
-        (sentence[at + 1].degree == Degree::superlative || sentence.is(at + 1, {"most"})) &&
-        sentence.ends_at(sentence.is(at + 1, {"most"}) ? at + 2 : at + 1);
+        (sentence[at + 1].degree == Degree::superlative ||
+         sentence.is(at + 1, {"most", "least"})) &&
+        sentence.ends_at(sentence.is(at + 1, {"most", "least"}) ? at + 2 : at + 1);
     // "The tallest block the metal block", "the apple heavier": no word could be a verb.
-    const bool named = i == 0 && (subject.determined || is_planet(sentence.text(0))) &&
-                       !sentence.asks() && subject.last < sentence.size();
+    const bool named =
+        i == 0 && (subject.determined || is_planet(sentence.text(0))) && !sentence.is(0, {"no"}) &&
+        // "The planets orbit the Sun".
+        !(sentence[subject.head].verb_plain && sentence[subject.head - 1].plural_noun()) &&
+        !sentence.asks() && subject.last < sentence.size();
     const bool equal =
         named && !has_verb_from(sentence, 0) &&
         ((sentence.is(at, {"the"}) && (sentence.is(at + 1, {"same", "most"}) ||
@@ -115,15 +183,63 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
           (at + 1 == sentence.size() ||
            sentence.is(at + 1, {"on", "high", "above", "near", "at", "to"}))));
     const bool the_one = sentence.is(at, {"the"}) && sentence[at + 1].degree != Degree::positive &&
-                         sentence.is(at + 2, {"one"}) && sentence.ends_at(at + 2);
+                         sentence.is(at + 2, {"one"}) &&
+                         (sentence.ends_at(at + 2) || sentence.is(at + 3, {"of"}));
+    // "The drag the force that keeps it up".
+    const bool explained = named && sentence.is(at, {"the"}) &&
+                           noun_phrase_at(sentence, at).last > at &&
+                           sentence.is(noun_phrase_at(sentence, at).last, {"that", "which"});
     const bool last =
         at + 1 >= sentence.size() || (sentence.is(at + 1, {"and"}) && at + 3 >= sentence.size());
     const bool plain = is_physical(word.text) && word.mainly_adjective() &&
                        word.degree == Degree::positive && last;
     const bool too = sentence.is(at, {"too"}) && is_physical(sentence[at + 1].adjective) &&
                      sentence.ends_at(at + 1) && subject.determined && !has_verb_from(sentence, i);
-    if (compared || with_more || equal || superlative || the_one || plain || too) {
+    const bool listed = i == 0 && !sentence.asks() && listed_adjectives(sentence, at) > 1;
+    // "When the wind stronger".
+    const bool grows = joined && subject.determined && word.degree == Degree::comparative &&
+                       is_physical(word.adjective) && sentence.ends_at(at) && !sentence.asks();
+    if (compared || with_more || equal || superlative || the_one || plain || too || listed ||
+        grows || explained) {
         proposals.insert(at, ErrorCode::missing_verb, be);
+    }
+}
+
+/// The apple and the egg the same; metal and wood alike; none heavier.
+void find_missing_between(const FreeSentence& sentence, Proposals& proposals) {
+    const bool none_compared =
+        sentence.is(0, {"none"}) &&
+        ((sentence[1].degree == Degree::comparative && sentence.ends_at(1)) ||
+         (sentence.is(1, {"the"}) && sentence[2].degree == Degree::superlative &&
+          sentence.ends_at(2)));
+    if (none_compared && !sentence.asks()) {
+        proposals.insert(1, ErrorCode::missing_verb, "is");
+        return;
+    }
+    const auto name_at = [&](int first) {
+        return is_planet(sentence.text(first)) ? first + 1 : noun_phrase_at(sentence, first).last;
+    };
+    const int first = name_at(0);
+    const int second = name_at(first + 1);
+    const bool alike =
+        (sentence.is(second, {"the"}) && sentence.is(second + 1, {"same"})) ||
+        (sentence.is(second, {"alike", "identical", "equal"}) && sentence.ends_at(second));
+    if (first > 0 && sentence.is(first, {"and"}) && second > first + 1 && alike &&
+        !sentence[second - 1].before_stop && !has_verb_from(sentence, 0) && !sentence.asks()) {
+        proposals.insert(second, ErrorCode::missing_verb, "are");
+    }
+}
+
+/// "When we press far from it it easier", "near the pole it harder": the clause before it has no comma.
+void find_missing_behind(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& word = sentence[i + 1];
+    if (i > 1 && sentence.is(i, {"it"}) && !sentence[i].before_stop && !sentence.asks() &&
+        word.degree == Degree::comparative && is_physical(word.adjective) &&
+        (sentence.ends_at(i + 1) || sentence.is(i + 2, {"to"})) &&
+        sentence.is(0, {"when", "if", "near", "at", "on", "as", "far", "close"}) &&
+        !sentence[i - 1].mainly_verb() &&
+        !sentence.is(i - 1, {"make", "makes", "made", "is", "get"})) {
+        proposals.insert(i + 1, ErrorCode::missing_verb, "is");
     }
 }
 
@@ -156,7 +272,7 @@ void find_missing_pronoun(const FreeSentence& sentence, int i, Proposals& propos
     const bool very = sentence.is(i + 1, {"very", "so", "too", "not", "really"});
     const FreeWord& word = sentence[very ? i + 2 : i + 1];
     const int at = very ? i + 2 : i + 1;
-    const bool made = sentence.is(i + 1, {"made"}) && sentence.is(i + 2, {"of", "from"});
+    const bool made = sentence.is(i + 1, {"made"}) && sentence.is(i + 2, {"of", "from", "out"});
     const bool adjective =
         word.mainly_adjective() &&
         (sentence.ends_at(at) || sentence.is(at + 1, {"and", "because", "to", "for", "than"}));
@@ -170,9 +286,11 @@ void find_missing_pronoun(const FreeSentence& sentence, int i, Proposals& propos
     const bool whole =
         i == 0 && sentence.is(i, {"is"}) &&
         ((sentence.is(i + 1, {"the", "a", "an"}) && named.last > i + 1 &&
-          named.last == sentence.size()) ||
+          (named.last == sentence.size() ||
+           sentence.is(named.last, {"of", "in", "from", "that", "which"}))) ||
          (sentence.size() == 2 && (is_material(sentence.text(1)) || is_planet(sentence.text(1)))));
-    if (made || adjective || more || compared || whole) {
+    const bool listed = i == 0 && listed_adjectives(sentence, i + 1) > 1;
+    if (made || adjective || more || compared || whole || listed) {
         const bool plural = sentence.is(i, {"are", "were"});
         proposals.insert(i, ErrorCode::missing_pronoun, plural ? "they" : "it");
     }
@@ -180,7 +298,7 @@ void find_missing_pronoun(const FreeSentence& sentence, int i, Proposals& propos
 
 /// the rock it is hard; the lift it pulls the kite.
 void find_said_twice(const FreeSentence& sentence, int i, Proposals& proposals) {
-    if (i != 0 && !sentence.is(i - 1, {"because"})) {
+    if (i != 0 && (!sentence.joins_clauses(i - 1) || sentence.is(i - 1, {"then", "so"}))) {
         return;
     }
     const NounPhrase subject = noun_phrase_at(sentence, i);
@@ -223,9 +341,12 @@ void find_said_twice(const FreeSentence& sentence, int i, Proposals& proposals) 
 void find_missing_words(const FreeSentence& sentence, Proposals& proposals) {
     for (int i = 0; i < sentence.size(); ++i) {
         find_missing_verb(sentence, i, proposals);
+        find_missing_behind(sentence, i, proposals);
         find_missing_pronoun(sentence, i, proposals);
         find_said_twice(sentence, i, proposals);
+        find_missing_there(sentence, i, proposals);
     }
+    find_missing_between(sentence, proposals);
     find_missing_in_question(sentence, proposals);
 }
 

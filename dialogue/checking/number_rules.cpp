@@ -49,7 +49,7 @@ bool asks_for_plural(const FreeSentence& sentence, int i) {
         --first;
     }
     const FreeWord& before = sentence[first - 1];
-    const bool in_name = before.mainly_noun() || before.capital || before.number ||
+    const bool in_name = before.mainly_noun() || (before.capital && first > 1) || before.number ||
                          sentence.is(first - 1, {"the", "a", "an", "in", "at", "on", "every", "per",
                                                  "by", "and", "point", "of"});
     return word.number && word.begin != sentence[i + 1].begin && (first == 0 || !in_name) &&
@@ -66,6 +66,9 @@ void find_after_number(const Lexicon& lexicon, const FreeSentence& sentence, int
     }
     const int head = head_behind(sentence, i);
     const FreeWord& noun = sentence[head];
+    if (sentence.is(i, {"both"}) && sentence.is(head + 1, {"and"})) {
+        return;  // "both the apple and the egg", without its articles
+    }
     const bool kind = sentence.is(head, {"kind", "sort", "type"}) && sentence.is(head + 1, {"of"});
     if (is_strictly_mass(noun.text) && sentence.is(i, {"many", "few"}) && sentence.is_head(head)) {
         const std::string right = sentence.is(i, {"many"}) ? "much" : "little";
@@ -73,8 +76,13 @@ void find_after_number(const Lexicon& lexicon, const FreeSentence& sentence, int
         return;
     }
     const bool unit = noun.text.size() < 3;  // "20 N"
+    // "Ten moon turn round it".
+    const FreeWord& next = sentence[head + 1];
+    const bool acts = i == 0 && next.verb_plain && !next.verb_in_s && next.verb_count > 0 &&
+                      !next.before_stop &&
+                      (sentence[head + 2].closed || sentence.is(head + 2, {"round"}));
     const bool wrong =
-        kind || (noun.singular_noun() && sentence.is_head(head) && !noun.possessive &&
+        kind || (noun.singular_noun() && (sentence.is_head(head) || acts) && !noun.possessive &&
                  !is_strictly_mass(noun.text) && plural_of(noun.text) != noun.text &&
                  !sentence[head + 1].possessive && !sentence.is(head + 1, {"old", "one"}));
     const bool joined = head + 1 < sentence.size() && sentence[head + 1].begin == noun.end + 1 &&
@@ -157,12 +165,11 @@ void find_inflection(const Lexicon& lexicon, const FreeSentence& sentence, int i
         proposals.replace(i, ErrorCode::noun_number, stem);
         return;
     }
-    std::vector<std::string> nouns{stem};
+    // "Hourss" is of an hour, though "hours" stand in the lexicon too.
+    std::vector<std::string> nouns = lexicon.bases(stem, WordKind::noun);
+    nouns.push_back(stem);
     if (stem.ends_with('e')) {
         nouns.push_back(stem.substr(0, stem.size() - 1));
-    }
-    for (const std::string& singular : lexicon.bases(stem, WordKind::noun)) {
-        nouns.push_back(singular);
     }
     const bool mistaken =
         !word.known || (word.noun_count <= 1 && word.verb.empty() && !word.can_be_singular);
@@ -171,7 +178,7 @@ void find_inflection(const Lexicon& lexicon, const FreeSentence& sentence, int i
             continue;
         }
         const std::vector<std::string> wrong = learner_plurals(noun);
-        const std::string plural = plural_in(lexicon, noun);
+        const std::string plural = noun == "people" ? noun : plural_in(lexicon, noun);
         const bool is_wrong =
             plural != word.text &&
             (std::find(wrong.begin(), wrong.end(), word.text) != wrong.end() || plural == stem);

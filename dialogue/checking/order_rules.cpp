@@ -113,8 +113,10 @@ void find_adjective_behind(const FreeSentence& sentence, int i, Proposals& propo
     }
     const bool indefinite =
         sentence.is(i - 1, {"a", "an"}) && !sentence.is(i - 2, {"such", "half"});
+    // "The bowl heavier is than the egg" has its verb behind that (find_be_behind_degree).
     const bool before_verb = sentence.is(i - 1, {"the"}) && sentence.be_at(i + 2) &&
-                             sentence.clause_begins(i - 1) && !sentence.asks();
+                             !sentence.is(i + 3, {"than"}) && sentence.clause_begins(i - 1) &&
+                             !sentence.asks();
     const bool compared = adjective.degree == Degree::comparative;
     for (int at = 0; at < i; ++at) {
         // "It needs a tail shorter", "you have to use a cloth lighter": these turn nothing into what is compared.
@@ -201,6 +203,69 @@ void find_place_words(const FreeSentence& sentence, int i, Proposals& proposals)
     }
 }
 
+/// it the apple is, it of metal made is: the verb at the end.
+void find_verb_last(const FreeSentence& sentence, Proposals& proposals) {
+    const int last = sentence.size() - 1;
+    const NounPhrase named = noun_phrase_at(sentence, 1);
+    if (sentence.is(0, {"it", "this"}) && sentence.is(last, {"is", "was"}) && !sentence.asks() &&
+        named.determined && named.last == last && is_central_determiner(sentence.text(1)) &&
+        !sentence[last].possessive && !sentence[0].before_stop) {
+        std::string right = sentence.text(last);
+        for (int i = 1; i < last; ++i) {
+            right += " " + sentence[i].written;
+        }
+        proposals.replace(1, last + 1, ErrorCode::word_order, right);
+    }
+}
+
+/// is of metal made.
+void find_made_last(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const std::string& material = sentence.text(i + 1);
+    if (sentence.be_at(i - 1) && sentence.is(i, {"of"}) && is_material(material) &&
+        sentence.is(i + 2, {"made"}) && sentence.ends_at(i + 2)) {
+        proposals.replace(i, i + 3, ErrorCode::word_order, "made of " + material);
+    }
+}
+
+/// the bowl heavier is than the egg; the bowl the heaviest is.
+void find_be_behind_degree(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& word = sentence[i];
+    const NounPhrase subject = noun_phrase_at(sentence, 0);
+    const bool the = sentence.is(i - 1, {"the"});
+    const int first = the ? i - 1 : i;
+    if (word.closed || word.adjective_count <= word.noun_count || !sentence.be_at(i + 1) ||
+        sentence.asks() || subject.last != first || subject.first == subject.last) {
+        return;
+    }
+    const bool compared = word.degree == Degree::comparative && sentence.is(i + 2, {"than"});
+    const bool most = word.degree == Degree::superlative && the && sentence.ends_at(i + 1);
+    if (compared || most) {
+        proposals.replace(first, i + 2, ErrorCode::word_order,
+                          sentence.text(i + 1) + (the ? " the " : " ") + word.text);
+    }
+}
+
+/// it is the lift what holds it.
+void find_what(const FreeSentence& sentence, Proposals& proposals) {
+    if (!sentence.is(0, {"it"}) || !sentence.be_at(1) || sentence.asks()) {
+        return;
+    }
+    const NounPhrase named = noun_phrase_at(sentence, 2);
+    const int what = named.last;
+    const FreeWord& next = sentence[what + 1];
+    const bool goes_on = next.verb_count > 0 || is_modal(next.text) ||
+                         is_third_singular(next.text) || is_other_person(next.text);
+    // "Lift" is rather what one does, to the lexicon.
+    const int bare =
+        named.first == named.last && sentence[2].noun_count > sentence[2].adjective_count ? 3
+                                                                                          : what;
+    const int at = sentence.is(what, {"what"}) ? what : bare;
+    if (at > 2 && sentence.is(at, {"what"}) && !sentence[at].behind_stop &&
+        (at != what || goes_on)) {
+        proposals.replace(at, ErrorCode::wrong_pronoun, "that");
+    }
+}
+
 }  // namespace
 
 void find_order_errors(const FreeSentence& sentence, Proposals& proposals) {
@@ -208,9 +273,13 @@ void find_order_errors(const FreeSentence& sentence, Proposals& proposals) {
         find_adverb(sentence, i, proposals);
         find_adjective_behind(sentence, i, proposals);
         find_place_words(sentence, i, proposals);
+        find_made_last(sentence, i, proposals);
+        find_be_behind_degree(sentence, i, proposals);
     }
+    find_verb_last(sentence, proposals);
     find_straight_question(sentence, proposals);
     find_how_many(sentence, proposals);
+    find_what(sentence, proposals);
 }
 
 }  // namespace fulcrum::dialogue

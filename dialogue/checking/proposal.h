@@ -59,13 +59,17 @@ void find_comparison_errors(const Lexicon& lexicon, const FreeSentence& sentence
 void find_article_errors(const FreeSentence& sentence, Proposals& proposals);
 /// two moon, moones, informations, one of the planet, much moons
 void find_number_errors(const Lexicon& lexicon, const FreeSentence& sentence, Proposals& proposals);
-/// it have, the planets goes, there is two moons, does not likes
+/// it have, the planets goes, there is two moons
 void find_agreement_errors(const FreeSentence& sentence, Proposals& proposals);
+/// does not likes, must to go, must is go, it be heavy, it not have, it turns himself
+void find_verb_form_errors(const FreeSentence& sentence, Proposals& proposals);
 /// made by metal, is make of, maked, a spaceship made of metal
 void find_making_errors(const FreeSentence& sentence, Proposals& proposals);
 /// feels hardly, feels like hard, a rock hard, why the rock is hard?
 void find_order_errors(const FreeSentence& sentence, Proposals& proposals);
 /// it heavy, is very heavy, the rock it is
 void find_missing_words(const FreeSentence& sentence, Proposals& proposals);
+/// is next of the bowl
+void find_place_errors(const FreeSentence& sentence, Proposals& proposals);
 
 }  // namespace fulcrum::dialogue

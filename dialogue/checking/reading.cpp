@@ -101,7 +101,52 @@ void read_adverb(const Lexicon& lexicon, FreeWord& word) {
     }
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Decimal numbers as one word each, "9.8" and not "nine point eight": nothing is amiss between their parts.
+std::vector<Token> with_decimals(std::vector<Token> tokens, std::string_view text) {
+    std::vector<Token> result;
+    std::size_t behind = 0;  // the last decimal
+    for (Token& token : tokens) {
+        if (token.begin < behind) {
+            continue;  // a part of it
+        }
+        std::size_t end = token.begin;
+        bool is_decimal = false;
+        while (end < text.size() &&
+               (is_digit(text[end]) || (text[end] == '.' && end > token.begin &&
+                                        end + 1 < text.size() && is_digit(text[end + 1])))) {
+            is_decimal = is_decimal || text[end] == '.';
+            ++end;
+        }
+        if (is_decimal) {
+            result.push_back(
+                {std::string(text.substr(token.begin, end - token.begin)), token.begin, end});
+            behind = end;
+        } else {
+            result.push_back(std::move(token));
+        }
+    }
+    return result;
+}
+
+/// "0.5", "1.0": "metre" and "metres" are both said behind it.
+bool is_at_most_one(const std::string& number) {
+    const std::size_t whole = number.find_first_not_of('0');
+    const std::string_view rest =
+        whole == std::string::npos ? std::string_view() : std::string_view(number).substr(whole);
+    return rest.empty() || rest.front() == '.' ||
+           (rest.starts_with("1.") && rest.find_first_not_of('0', 2) == std::string_view::npos);
+}
+
 void read_word(const Lexicon& lexicon, FreeWord& word) {
+    if (is_digit(word.text[0]) && word.text.find('.') != std::string::npos) {
+        word.number = !is_at_most_one(word.text);
+        word.known = true;
+        return;
+    }
     word.closed = is_closed_word(word.text);
     word.number = (is_number_word(word.text) || has_digits(word.text)) && word.text != "one" &&
                   word.text != "1" && word.text != "zero";
@@ -173,12 +218,30 @@ bool FreeSentence::is(int i, std::initializer_list<std::string_view> words) cons
     return std::find(words.begin(), words.end(), text(i)) != words.end();
 }
 
+bool FreeSentence::has_before(int i, std::string_view plain) const {
+    return std::any_of(words_.begin(), words_.begin() + std::clamp(i, 0, size()),
+                       [&](const FreeWord& word) { return word.verb == plain; });
+}
+
+bool FreeSentence::joins_clauses(int i) const {
+    if (is(i, {"but", "because", "so", "if", "although", "though", "since", "then", "when"})) {
+        return true;
+    }
+    // "As the wind gets stronger", not "as heavy as the egg", "as it is".
+    const FreeWord& before = (*this)[i - 1];
+    if (i == 0 && is(0, {"as"}) && is(1, {"it", "they", "we", "there"})) {
+        return true;
+    }
+    return is(i, {"as"}) && is_central_determiner(text(i + 1)) &&
+           (i == 0 || before.before_stop || before.mainly_noun() ||
+            before.degree == Degree::comparative || is(i - 1, {"before"}));
+}
+
 bool FreeSentence::clause_begins(int i) const {
     if (i < 0 || i >= size()) {
         return false;
     }
-    if (i == 0 || (*this)[i].behind_stop ||
-        is(i - 1, {"but", "because", "so", "if", "although", "though", "since", "then"})) {
+    if (i == 0 || (*this)[i].behind_stop || joins_clauses(i - 1)) {
         return true;
     }
     const int teller = is(i - 1, {"that"}) ? i - 2 : i - 1;
@@ -224,7 +287,7 @@ bool is_thing(const FreeWord& word, std::span<const std::string> things) {
 std::vector<FreeSentence> read_sentences(const Lexicon& lexicon, std::string_view text,
                                          std::span<const std::string> things) {
     text = text.substr(0, kLongestFreeText_bytes);
-    const std::vector<Token> tokens = tokenise(text);
+    const std::vector<Token> tokens = with_decimals(tokenise(text), text);
     std::vector<FreeSentence> sentences;
     std::vector<FreeWord> words;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -282,7 +345,7 @@ NounPhrase noun_phrase_at(const FreeSentence& sentence, int first) {
         phrase.determined = true;
         ++i;
     }
-    if (sentence[i].number && !sentence[i].before_stop) {
+    while (sentence[i].number && !sentence[i].before_stop) {  // "twenty eight"
         ++i;
     }
     // Adjectives, then nouns; the last noun is the head.

@@ -70,6 +70,10 @@ class FreeSentence {
     [[nodiscard]] bool is(int i, std::initializer_list<std::string_view> words) const;
     /// Ends with a question mark.
     [[nodiscard]] bool asks() const { return asks_; }
+    /// A form of the verb `plain` stands before `i`.
+    [[nodiscard]] bool has_before(int i, std::string_view plain) const;
+    /// The word at `i` joins a clause to what is before it: but, because, when, …; "as" only where it compares nothing.
+    [[nodiscard]] bool joins_clauses(int i) const;
     /// A clause begins at `i`: the sentence, behind a stop, or behind "but", "because", "I think (that)", …
     [[nodiscard]] bool clause_begins(int i) const;
     /// Nothing of the phrase comes behind `i`: a stop or the end.

@@ -1,35 +1,17 @@
 #include "dialogue/conversation/conversation.h"
 
 #include "dialogue/conversation/help.h"
+#include "dialogue/conversation/recast.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace fulcrum::dialogue {
 
 namespace {
-
-/// A learner who asks is answered like one: nobody felt anything.
-bool asks(std::string_view sentence) {
-    return sentence.ends_with('?');
-}
-
-/// "Yes, it is heavier": said already.
-bool says_yes_or_no(const Mark& mark) {
-    const std::string first = mark.corrected.substr(0, mark.corrected.find_first_of(" ,."));
-    return first == "Yes" || first == "Yeah" || first == "Sure" ||
-           mark.corrected.starts_with("No,");
-}
-
-/// How the right sentence is said back.
-const char* recast_key(const Mark& mark) {
-    if (asks(mark.corrected)) {
-        return "feedback.recast_question";
-    }
-    return says_yes_or_no(mark) ? "feedback.recast_said" : "feedback.recast";
-}
 
 /// "a watermelon, an apple or an egg".
 std::string listed(const Catalogue& catalogue, const std::vector<std::string>& words) {
@@ -43,6 +25,23 @@ std::string listed(const Catalogue& catalogue, const std::vector<std::string>& w
         list += words[i];
     }
     return list;
+}
+
+/// "Which one is heavier?": who names the other end of it tells of the other thing. Behind why and where, and of an "it", that is no such
+/// answer.
+bool asks_for_thing(const Question& question) {
+    std::string asked;
+    for (const std::string& sentence : sentences_of(question.prompt)) {
+        asked = sentence.ends_with('?') ? words_between_blanks(sentence) : asked;
+    }
+    const bool wants_thing = std::ranges::any_of(
+        std::array{" which ", " what ", " who "},
+        [&](const char* word) { return asked.find(word) != std::string::npos; });
+    const bool wants_reason = asked.starts_with(" why ") || asked.starts_with(" where ") ||
+                              asked.starts_with(" when ") || asked.starts_with(" how ");
+    const std::vector<std::string> answer = words_of(example_sentence(question));
+    const std::size_t subject = !answer.empty() && answer.front() == "because" ? 1 : 0;
+    return wants_thing && !wants_reason && subject < answer.size() && answer[subject] != "it";
 }
 
 }  // namespace
@@ -76,7 +75,11 @@ Mark Conversation::hear(std::string_view text, double confidence, bool form) {
     repeating_ = state_ == State::invited || (state_ == State::heard && repeating_);
     state_ = State::heard;
     Mark mark = mark_answer(*question_, text, confidence);
-    return form ? mark : without_form(std::move(mark));
+    if (!form) {
+        return without_form(std::move(mark));
+    }
+    std::optional<Mark> put_right = mark_put_right(mark);
+    return put_right ? std::move(*put_right) : std::move(mark);
 }
 
 Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
@@ -94,6 +97,9 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
         return not_understood(mark);
     }
     const bool right = meaning_right && mark.other_number.empty();
+    if (right && mark.claim == Claim::excluded) {
+        return leaves_open(mark);
+    }
     return right ? respond_to_form(mark) : wrong_meaning(mark);
 }
 
@@ -115,10 +121,12 @@ Feedback Conversation::heard_badly() {
 Feedback Conversation::respond_to_form(const Mark& mark) {
     state_ = State::done;
     const FormError* error = mark.main_error();
+    const Rest rest = read_rest(mark);
     if (error == nullptr) {
-        return praise(mark);
+        return rest.good ? praise(mark) : respond_to_rest(mark, rest);
     }
-    const CatalogueSlots sentence{{"sentence", mark.emphasised}, {"gap", mark.gapped}};
+    const std::string& whole = rest.joined.empty() ? mark.emphasised : rest.joined;
+    const CatalogueSlots sentence{{"sentence", whole}, {"gap", mark.gapped}};
     const char* recast = recast_key(mark);
     const FeedbackLadder& ladder = question_->ladder.empty() ? settings_.ladder : question_->ladder;
     Feedback feedback;
@@ -140,7 +148,7 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
                                        {"phrase", "*" + error->phrase + "*"}};
             feedback = say(FeedbackKind::rule,
                            says_yes_or_no(mark) ? "feedback.rule_said" : "feedback.rule",
-                           {{"sentence", mark.emphasised}, {"rule", catalogue_->say(key, words)}});
+                           {{"sentence", whole}, {"rule", catalogue_->say(key, words)}});
             feedback.keys.push_back(key);
             break;
         }
@@ -149,6 +157,7 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
             feedback.replay = true;
             break;
     }
+    feedback.free_errors = rest.checked.errors;
     return feedback;
 }
 
@@ -158,7 +167,7 @@ Feedback Conversation::praise(const Mark& mark) {
         return say(FeedbackKind::praise, "feedback.praise_short", sentence);
     }
     seen_.clear();  // a whole right sentence: the ladder begins anew
-    if (asks(mark.corrected)) {
+    if (asks_back(mark.corrected)) {
         return say(FeedbackKind::praise, "feedback.praise_question", sentence);
     }
     const std::vector<std::string> praises = catalogue_->series("feedback.praise");
@@ -197,7 +206,7 @@ Feedback Conversation::not_understood(const Mark& mark) {
     const int rung = wanted_help_ ? unheard_ + 1 : unheard_;
     // An opposite is named, and a name asked for; else first only again, then how the sentence goes, then what can be said.
     Feedback feedback;
-    if (!mark.opposite_said.empty()) {
+    if (!mark.opposite_said.empty() && asks_for_thing(*question_)) {
         feedback = say(FeedbackKind::not_understood, "feedback.opposite",
                        {{"said", mark.opposite_said}, {"asked", "*" + mark.opposite_of + "*"}});
     } else if (!mark.pointed_with.empty() && rung < 3) {
@@ -210,6 +219,20 @@ Feedback Conversation::not_understood(const Mark& mark) {
     feedback.ask_again = true;
     if (!wants_help(mark.said)) {
         show_good_english(mark, feedback);
+    }
+    return feedback;
+}
+
+// It is true, and no answer yet; it is no wrong one either.
+Feedback Conversation::leaves_open(const Mark& mark) {
+    if (settings_.unheard_tries > 0 && ++unheard_ >= settings_.unheard_tries) {
+        return move_on();
+    }
+    state_ = State::asked;
+    Feedback feedback = say(FeedbackKind::not_understood, "feedback.leaves_open");
+    feedback.ask_again = true;
+    if (mark.form_known && !mark.form_errors.empty()) {
+        put_before(feedback, "feedback.free_form", {{"sentence", mark.emphasised}});
     }
     return feedback;
 }
@@ -227,23 +250,6 @@ Feedback Conversation::tell(const Help& help) {
     }
     return say(FeedbackKind::not_understood, "feedback.not_understood.3",
                {{"choices", listed(*catalogue_, help.choices)}});
-}
-
-void Conversation::show_good_english(const Mark& mark, Feedback& feedback) const {
-    if (!form_check_ || !mark.form_known) {
-        return;
-    }
-    CheckedText checked = form_check_(mark.said);
-    if (checked.errors.empty()) {
-        return;
-    }
-    const bool has_end =
-        std::string_view(".?!").find(checked.corrected.back()) != std::string_view::npos;
-    const std::string sentence = sentences_case(checked.marked) + (has_end ? "" : ".");
-    feedback.text =
-        catalogue_->say("feedback.free_form", {{"sentence", sentence}, {"then", feedback.text}});
-    feedback.keys.push_back("feedback.free_form");
-    feedback.free_errors = std::move(checked.errors);
 }
 
 bool Conversation::wants_help(std::string_view said) const {

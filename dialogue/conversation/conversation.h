@@ -94,8 +94,8 @@ class Conversation {
 
     explicit Conversation(const Catalogue& catalogue, ConversationSettings settings = {});
 
-    /// From now on what fits no answer is checked for its form, and good English for it is shown; whether it is right isn't
-    /// said. An empty function ends that.
+    /// From now on what fits no answer is checked for its form, and good English for it is shown: a sentence where that is proven, else
+    /// what belongs in one place. Whether the answer is right isn't said. An empty function ends that.
     void set_form_check(FormCheck check) { form_check_ = std::move(check); }
 
     /// Asks; returns the prompt's sentences, a line each. `number` of `of` adds "Question 2 of 5." before them; 0 doesn't.
@@ -114,21 +114,39 @@ class Conversation {
     [[nodiscard]] bool heard_well(double confidence) const {
         return confidence >= settings_.least_confidence;
     }
+    /// The words are one of the catalogue's help.said.1, …: who says them wants help.
+    [[nodiscard]] bool wants_help(std::string_view said) const;
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] int attempt() const { return attempt_; }
 
   private:
+    /// What fits no answer, marked as the good English for it where that is proven and is one: of right form but for what was put right.
+    [[nodiscard]] std::optional<Mark> mark_put_right(const Mark& mark) const;
     Feedback heard_badly();
     Feedback respond_to_form(const Mark& mark);
     Feedback praise(const Mark& mark);
     Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
     Feedback not_understood(const Mark& mark);
+    Feedback leaves_open(const Mark& mark);
     Feedback tell(const Help& help);
-    /// The catalogue's help.said.1, … have these words.
-    [[nodiscard]] bool wants_help(std::string_view said) const;
     Feedback wrong_meaning(const Mark& mark);
+    /// What stands behind the answer, read: a reason that no template asks for.
+    struct Rest {
+        bool good =
+            true;  ///< there is none, or it is good English; false, too, where nobody read it
+        CheckedText checked{};  ///< its errors at their places in all that was said
+        std::string
+            joined{};  ///< the answer and its reason, both right, in one sentence; empty where that isn't proven
+    };
+    [[nodiscard]] Rest read_rest(const Mark& mark) const;
+    /// The answer is right, and behind it something isn't, or wasn't read.
+    Feedback respond_to_rest(const Mark& mark, const Rest& rest);
     /// Good English for what was said, before the feedback's own words; nothing where no error is seen.
     void show_good_english(const Mark& mark, Feedback& feedback) const;
+    /// The same of the first of `errors` in `text` that stands alone, in words: no sentence for it was proven. False where none does.
+    bool show_good_words(std::string_view text, const std::vector<FreeError>& errors,
+                         Feedback& feedback) const;
+    void put_before(Feedback& feedback, const char* key, CatalogueSlots slots) const;
     Feedback move_on();
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
     [[nodiscard]] std::string ladder_key(const FormError& error) const;

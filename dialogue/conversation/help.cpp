@@ -1,6 +1,7 @@
 #include "dialogue/conversation/help.h"
 
 #include "dialogue/marking/mark.h"
+#include "dialogue/template/phrases.h"
 #include "dialogue/template/sentences.h"
 
 #include <algorithm>
@@ -11,16 +12,27 @@ namespace {
 
 constexpr std::size_t kMostListed = 12;  // choices that somebody can listen to
 
-/// The phrase of the slot's word in the first answer that has it: "far", "at the same speed".
+/// The phrase of the slot's word in the first answer that has it, with what makes a place of it: "far", "at the end"; empty where it is half of
+/// something.
 std::string phrase_of(const TemplateSet& set, int slot, const std::string& value) {
     for (int answer = 0; answer < static_cast<int>(set.graphs.size()); ++answer) {
         const std::vector<Piece> pieces =
             canonical_pieces(set, answer, {{set.slots[static_cast<std::size_t>(slot)], value}});
         for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
             const Piece& piece = pieces[static_cast<std::size_t>(i)];
-            if (piece.element.slot == slot) {
-                return render_phrase(pieces, phrase_around(pieces, i));
+            if (piece.element.slot != slot) {
+                continue;
             }
+            PieceRange phrase = phrase_around(pieces, i);
+            // "The farther" is half of "the farther, the easier".
+            if (piece.element.degree == Degree::comparative && phrase.first < i) {
+                return {};
+            }
+            const bool is_place =
+                phrase.first > 0 &&
+                is_preposition(pieces[static_cast<std::size_t>(phrase.first - 1)].right);
+            phrase.first -= is_place ? 1 : 0;
+            return render_phrase(pieces, phrase);
         }
     }
     return {};

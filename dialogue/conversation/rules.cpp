@@ -70,8 +70,9 @@ bool is_of_contraction(const FormError& error) {
 }
 
 /// Rules that hold for one code, whatever the word.
-constexpr std::array<std::pair<ErrorCode, std::string_view>, 22> kRules = {{
+constexpr std::array<std::pair<ErrorCode, std::string_view>, 23> kRules = {{
     {ErrorCode::wording, "rule.wording"},
+    {ErrorCode::adjective_form, "rule.wording"},
     {ErrorCode::word_order, "rule.wording"},
     {ErrorCode::missing_determiner, "rule.article.missing"},
     {ErrorCode::wrong_determiner, "rule.article.sound"},
@@ -122,6 +123,9 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.not_understood.3", {"choices"}},
                                      {"feedback.not_understood.example", {"sentence"}},
                                      {"feedback.free_form", {"sentence", "then"}},
+                                     {"feedback.free_words", {"right", "said", "then"}},
+                                     {"feedback.free_missing", {"right", "next", "then"}},
+                                     {"feedback.free_extra", {"said", "then"}},
                                      {"feedback.heard_badly", {}},
                                      {"feedback.moved_on", {}}};
     const std::vector<std::string_view> words{"base", "right", "said", "phrase"};

@@ -3,10 +3,10 @@
 #include "dialogue/english/adjective.h"
 #include "dialogue/english/opposite.h"
 #include "dialogue/english/verb.h"
+#include "dialogue/english/wordnet_line.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -44,20 +44,6 @@ void add_once(std::string word, std::vector<std::string>& words) {
     if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) {
         words.push_back(std::move(word));
     }
-}
-
-/// Takes the next field, apart by blanks, off `line`.
-std::string_view take_field(std::string_view& line) {
-    const std::size_t end = std::min(line.find(' '), line.size());
-    const std::string_view field = line.substr(0, end);
-    line.remove_prefix(std::min(end + 1, line.size()));
-    return field;
-}
-
-std::size_t number_in(std::string_view field, int base) {
-    std::size_t number = 0;
-    std::from_chars(field.data(), field.data() + field.size(), number, base);
-    return number;
 }
 
 /// "able(p)" is "able", where it stands in a sentence only.

@@ -22,7 +22,7 @@ enum class ErrorCode : std::uint8_t {
     agreement,            ///< R:VERB:SVA  "a watermelon are"
     missing_verb,         ///< M:VERB      "a watermelon the heaviest"
     verb_form,            ///< R:VERB:FORM "a watermelon be"
-    verb_tense,           ///< R:VERB:TENSE "a watermelon was"
+    verb_tense,           ///< R:VERB:TENSE "the wind stop" for "stopped"
     extra_pronoun,        ///< U:PRON      "a watermelon it is"
     wrong_preposition,    ///< R:PREP      "heavier then", "made by wood"
     missing_preposition,  ///< M:PREP      "heavier an apple"

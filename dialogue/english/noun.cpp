@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -77,27 +78,27 @@ constexpr std::array kIrregularPlurals = {
     PluralPair{"grandchild", "grandchildren"},
 };
 
-constexpr std::array<std::string_view, 137> kMass = {
-    "water",      "air",       "wood",       "metal",     "iron",      "steel",     "gold",
-    "silver",     "copper",    "plastic",    "paper",     "rubber",    "cotton",    "wool",
-    "leather",    "glass",     "sand",       "oil",       "milk",      "juice",     "tea",
-    "coffee",     "rice",      "bread",      "butter",    "cheese",    "meat",      "sugar",
-    "salt",       "flour",     "soup",       "honey",     "snow",      "ice",       "rain",
-    "wind",       "weather",   "gravity",    "energy",    "light",     "heat",      "electricity",
-    "music",      "homework",  "furniture",  "luggage",   "money",     "advice",    "information",
-    "news",       "knowledge", "equipment",  "traffic",   "software",  "clothing",  "jewellery",
-    "jewelry",    "concrete",  "granite",    "marble",    "sandpaper", "clay",      "dust",
-    "grass",      "hair",      "lava",       "mud",       "oxygen",    "hydrogen",  "helium",
-    "silk",       "foam",      "aluminium",  "aluminum",  "titanium",  "tin",       "brass",
-    "bronze",     "velvet",    "nylon",      "bamboo",    "cardboard", "porcelain", "cork",
-    "wax",        "chalk",     "fur",        "denim",     "ivory",     "gravel",    "cement",
-    "soil",       "lace",      "linen",      "polyester", "silicone",  "plaster",   "dough",
-    "straw",      "ceramic",   "fibreglass", "corn",      "wheat",     "barley",    "popcorn",
-    "pasta",      "spaghetti", "garlic",     "ham",       "bacon",     "beef",      "pork",
-    "lemonade",   "petrol",    "coal",       "zinc",      "nickel",    "sulphur",   "carbon",
-    "nitrogen",   "steam",     "smoke",      "fog",       "ink",       "glue",      "soap",
-    "toothpaste", "hay",       "lightning",  "thunder",   "sunlight",  "sunshine",  "rubbish",
-    "garbage",    "blood",     "vinegar",    "spinach"};
+constexpr std::array<std::string_view, 138> kMass = {
+    "water",       "air",        "wood",      "metal",      "iron",      "steel",     "gold",
+    "silver",      "copper",     "plastic",   "paper",      "rubber",    "cotton",    "wool",
+    "leather",     "glass",      "sand",      "oil",        "milk",      "juice",     "tea",
+    "coffee",      "rice",       "bread",     "butter",     "cheese",    "meat",      "sugar",
+    "salt",        "flour",      "soup",      "honey",      "snow",      "ice",       "rain",
+    "wind",        "weather",    "gravity",   "torque",     "energy",    "light",     "heat",
+    "electricity", "music",      "homework",  "furniture",  "luggage",   "money",     "advice",
+    "information", "news",       "knowledge", "equipment",  "traffic",   "software",  "clothing",
+    "jewellery",   "jewelry",    "concrete",  "granite",    "marble",    "sandpaper", "clay",
+    "dust",        "grass",      "hair",      "lava",       "mud",       "oxygen",    "hydrogen",
+    "helium",      "silk",       "foam",      "aluminium",  "aluminum",  "titanium",  "tin",
+    "brass",       "bronze",     "velvet",    "nylon",      "bamboo",    "cardboard", "porcelain",
+    "cork",        "wax",        "chalk",     "fur",        "denim",     "ivory",     "gravel",
+    "cement",      "soil",       "lace",      "linen",      "polyester", "silicone",  "plaster",
+    "dough",       "straw",      "ceramic",   "fibreglass", "corn",      "wheat",     "barley",
+    "popcorn",     "pasta",      "spaghetti", "garlic",     "ham",       "bacon",     "beef",
+    "pork",        "lemonade",   "petrol",    "coal",       "zinc",      "nickel",    "sulphur",
+    "carbon",      "nitrogen",   "steam",     "smoke",      "fog",       "ink",       "glue",
+    "soap",        "toothpaste", "hay",       "lightning",  "thunder",   "sunlight",  "sunshine",
+    "rubbish",     "garbage",    "blood",     "vinegar",    "spinach"};
 
 /// Materials whose plural means kinds of them: metals are hard. (Glasses and papers are other things.)
 constexpr std::array<std::string_view, 4> kHasKinds = {"metal", "plastic", "juice", "cheese"};
@@ -143,14 +144,14 @@ constexpr std::array<std::string_view, 9> kBehindThem = {
     "up", "down", "of", "strongly", "weakly", "as", "fast", "quickly", "slowly"};
 
 /// Adjectives that lessons ask for: "it should be heavy".
-constexpr std::array<std::string_view, 61> kDescribing = {
-    "light",    "great",  "bright", "heavy",   "big",     "small",  "little", "large",  "tall",
-    "short",    "long",   "high",   "low",     "hard",    "soft",   "rough",  "smooth", "fast",
-    "slow",     "strong", "weak",   "hot",     "cold",    "warm",   "wide",   "narrow", "thick",
-    "thin",     "deep",   "wet",    "dry",     "full",    "empty",  "open",   "shut",   "new",
-    "old",      "young",  "red",    "blue",    "green",   "yellow", "white",  "black",  "brown",
-    "grey",     "purple", "pink",   "right",   "wrong",   "true",   "false",  "easy",   "difficult",
-    "slippery", "sticky", "wooden", "heavier", "lighter", "higher", "lower"};
+constexpr std::array<std::string_view, 62> kDescribing = {
+    "light",     "great",    "bright", "heavy",  "big",     "small",   "tiny",   "little", "large",
+    "tall",      "short",    "long",   "high",   "low",     "hard",    "soft",   "rough",  "smooth",
+    "fast",      "slow",     "strong", "weak",   "hot",     "cold",    "warm",   "wide",   "narrow",
+    "thick",     "thin",     "deep",   "wet",    "dry",     "full",    "empty",  "open",   "shut",
+    "new",       "old",      "young",  "red",    "blue",    "green",   "yellow", "white",  "black",
+    "brown",     "grey",     "purple", "pink",   "right",   "wrong",   "true",   "false",  "easy",
+    "difficult", "slippery", "sticky", "wooden", "heavier", "lighter", "higher", "lower"};
 
 /// "one", "two hundred and five", "a hundred".
 bool is_number(std::string_view phrase) {
@@ -186,10 +187,9 @@ bool is_no_noun(const std::string& phrase) {
            is_number(phrase) || is_no_head(phrase);
 }
 
-/// The word that carries the number: pair of scissors -> pair; big apple -> apple.
+/// The word that carries the number: pair of scissors -> pair; big apple -> apple; block made of wood -> block.
 std::string_view head_word(std::string_view phrase) {
-    const std::size_t of = phrase.find(" of ");
-    phrase = phrase.substr(0, of);
+    phrase = phrase.substr(0, std::min(phrase.find(" of "), phrase.find(" made of ")));
     const std::size_t space = phrase.find_last_of(" -");
     return space == std::string_view::npos ? phrase : phrase.substr(space + 1);
 }
@@ -292,13 +292,63 @@ bool has_kinds(std::string_view noun) {
     return contains(kHasKinds, lower_case(head_word(noun)));
 }
 
+bool is_around(std::string_view noun) {
+    const std::string text = lower_case(noun);
+    return text == "wind" || text == "weather";
+}
+
+namespace {
+
+/// The comparatives of what describes, each with its adjective.
+const std::map<std::string, std::string>& comparatives() {
+    static const auto all = [] {
+        std::map<std::string, std::string> forms;
+        for (const std::string_view adjective : kDescribing) {
+            forms.emplace(degree_forms(adjective, Degree::comparative).front(), adjective);
+        }
+        return forms;
+    }();
+    return all;
+}
+
+}  // namespace
+
 bool describes(std::string_view word) {
     const std::string text = lower_case(word);
-    return contains(kDescribing, text) ||
-           std::any_of(kDescribing.begin(), kDescribing.end(), [&](std::string_view adjective) {
-               return degree_forms(adjective, Degree::comparative).front() == text;
-           });
+    return contains(kDescribing, text) || comparatives().contains(text);
 }
+
+std::string compared_of(std::string_view word) {
+    const auto found = comparatives().find(lower_case(word));
+    return found == comparatives().end() ? std::string() : found->second;
+}
+
+namespace {
+
+/// Of what stands behind its article, where there is one.
+NounClass class_of(std::string_view entry, bool with_the, bool with_indefinite) {
+    const bool capital = !entry.empty() && entry[0] >= 'A' && entry[0] <= 'Z';
+    const bool initials = entry.size() > 1 && entry[1] >= 'A' && entry[1] <= 'Z';
+    const std::string lower = lower_case(entry);
+    if (with_indefinite) {
+        return NounClass::count;
+    }
+    if ((lower == "earth" || lower.starts_with("earth's ")) && (capital || with_the)) {
+        return NounClass::name_or_the;
+    }
+    if (with_the || (capital && contains(kNamedThe, lower))) {
+        return NounClass::named_the;
+    }
+    if ((capital && !initials) || (!entry.empty() && entry[0] >= '0' && entry[0] <= '9')) {
+        return NounClass::name;
+    }
+    if (is_mass_noun(entry)) {
+        return NounClass::mass;
+    }
+    return looks_plural(entry) ? NounClass::plural : Noun{}.noun_class;
+}
+
+}  // namespace
 
 Noun understand_noun(std::string_view entry) {
     Noun noun;
@@ -317,22 +367,7 @@ Noun understand_noun(std::string_view entry) {
         }
     }
     noun.text = std::string(entry);
-    const bool capital = !entry.empty() && entry[0] >= 'A' && entry[0] <= 'Z';
-    const bool initials = entry.size() > 1 && entry[1] >= 'A' && entry[1] <= 'Z';
-    const std::string lower = lower_case(entry);
-    if (with_indefinite) {
-        noun.noun_class = NounClass::count;
-    } else if ((lower == "earth" || lower.starts_with("earth's ")) && (capital || with_the)) {
-        noun.noun_class = NounClass::name_or_the;
-    } else if (with_the || (capital && contains(kNamedThe, lower))) {
-        noun.noun_class = NounClass::named_the;
-    } else if ((capital && !initials) || (!entry.empty() && entry[0] >= '0' && entry[0] <= '9')) {
-        noun.noun_class = NounClass::name;
-    } else if (is_mass_noun(entry)) {
-        noun.noun_class = NounClass::mass;
-    } else if (looks_plural(entry)) {
-        noun.noun_class = NounClass::plural;
-    }
+    noun.noun_class = class_of(entry, with_the, with_indefinite);
     return noun;
 }
 

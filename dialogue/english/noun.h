@@ -43,8 +43,14 @@ struct Noun {
     }
 };
 
+/// True for what is around everybody, and so one that all know of: "the wind", "the weather".
+[[nodiscard]] bool is_around(std::string_view noun);
+
 /// True for adjectives that stand alone in lists, "heavy", "red": no nouns where no noun follows and no article was asked for.
 [[nodiscard]] bool describes(std::string_view word);
+
+/// The adjective of which `word` is the comparative, "long" of "longer"; empty where it is none of those that describe.
+[[nodiscard]] std::string compared_of(std::string_view word);
 
 /// Understands a list's entry: "watermelon", "an egg", "the Moon", "Jupiter" (a capital makes a name, as digits do), "water", "scissors".
 [[nodiscard]] Noun understand_noun(std::string_view entry);

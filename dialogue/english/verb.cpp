@@ -9,10 +9,11 @@ namespace fulcrum::dialogue {
 namespace {
 
 /// Verbs of lessons that agree by -s. A word outside this table is not taken for a verb.
-constexpr std::array<std::string_view, 30> kBases = {
-    "weigh", "feel", "look",  "fall",   "float", "sink",  "need", "make", "cost", "move",
-    "turn",  "go",   "fly",   "have",   "do",    "hit",   "pull", "push", "seem", "take",
-    "spin",  "bend", "break", "bounce", "roll",  "shine", "burn", "lift", "land", "stay"};
+constexpr std::array<std::string_view, 35> kBases = {
+    "weigh", "feel", "look", "fall", "float", "sink",   "need",   "make",  "cost",
+    "move",  "turn", "go",   "fly",  "have",  "do",     "hit",    "pull",  "push",
+    "seem",  "take", "spin", "bend", "break", "bounce", "roll",   "shine", "burn",
+    "lift",  "land", "stay", "hold", "keep",  "carry",  "travel", "rotate"};
 
 }  // namespace
 
@@ -45,6 +46,9 @@ bool understand_verb(std::string_view word, VerbForms& forms) {
         return true;
     }
     for (const std::string_view base : kBases) {
+        if (!word.starts_with(base.front())) {
+            continue;  // "have" and "has", "fly" and "flies" begin alike
+        }
         const std::string singular = third_person(base);
         if (word == base || word == singular) {
             forms = {singular, std::string(base), false};
@@ -56,17 +60,23 @@ bool understand_verb(std::string_view word, VerbForms& forms) {
 
 std::vector<LearnerVerb> learner_verbs(const VerbForms& forms) {
     if (forms.singular == "is") {
-        return {{"be", ErrorCode::verb_form},    {"being", ErrorCode::verb_form},
-                {"am", ErrorCode::agreement},    {"was", ErrorCode::verb_tense},
-                {"were", ErrorCode::verb_tense}, {"is be", ErrorCode::verb_form}};
+        return {{"be", ErrorCode::verb_form},
+                {"being", ErrorCode::verb_form},
+                {"am", ErrorCode::agreement},
+                {"is be", ErrorCode::verb_form}};
     }
     if (forms.singular == "was") {
         return {{"be", ErrorCode::verb_form},
                 {"is", ErrorCode::verb_tense},
                 {"are", ErrorCode::verb_tense}};
     }
-    return {{"is " + forms.plural, ErrorCode::verb_form},
-            {"are " + forms.plural, ErrorCode::verb_form}};
+    std::vector<LearnerVerb> verbs = {{"is " + forms.plural, ErrorCode::verb_form},
+                                      {"are " + forms.plural, ErrorCode::verb_form}};
+    if (forms.plural == "weigh") {  // the noun sounds nearly alike
+        verbs.push_back({"weight", ErrorCode::morphology});
+        verbs.push_back({"weights", ErrorCode::morphology});
+    }
+    return verbs;
 }
 
 }  // namespace fulcrum::dialogue

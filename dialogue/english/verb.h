@@ -29,7 +29,7 @@ struct VerbForms {
 /// Understands a finite verb form of the third person; false for any other word.
 [[nodiscard]] bool understand_verb(std::string_view word, VerbForms& forms);
 
-/// A wrong form of the same verb and its error, e.g. for is/are: "be" R:VERB:FORM, "was" R:VERB:TENSE.
+/// A wrong form of the same verb and its error, e.g. for was/were: "be" R:VERB:FORM, "is" R:VERB:TENSE.
 struct LearnerVerb {
     std::string text;
     ErrorCode code = ErrorCode::none;

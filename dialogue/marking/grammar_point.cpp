@@ -11,6 +11,11 @@ GrammarPoint point_in_passive(const FormError& error) {
         case ErrorCode::spelling:
         case ErrorCode::orthography:
             return GrammarPoint::spelling;
+        case ErrorCode::wrong_preposition:
+        case ErrorCode::missing_preposition:
+            return GrammarPoint::preposition;
+        case ErrorCode::word_order:
+            return GrammarPoint::wording;
         default:
             return GrammarPoint::passive_voice;
     }

@@ -2,10 +2,19 @@
 
 #include "dialogue/english/letters.h"
 #include "dialogue/marking/near_miss.h"
+#include "dialogue/marking/other_degree.h"
+#include "dialogue/marking/readings.h"
+#include "dialogue/marking/said_spans.h"
+#include "dialogue/marking/sentence_marks.h"
+#include "dialogue/marking/wording.h"
 #include "dialogue/template/matcher.h"
+#include "dialogue/template/resolve_articles.h"
 #include "dialogue/template/sentences.h"
+#include "dialogue/template/tokens.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -35,6 +44,20 @@ bool belongs_to_target(const std::vector<Piece>& pieces, int at) {
                        [](const Piece& piece) { return piece.element.target; });
 }
 
+/// What an error at `at` is shown in: of a verb out of its place, what it belongs before.
+PieceRange shown_around(const std::vector<Piece>& pieces, int at) {
+    const Piece& piece = pieces[static_cast<std::size_t>(at)];
+    if (piece.element.passive) {
+        return passive_around(pieces, at);
+    }
+    PieceRange range = phrase_around(pieces, at);
+    const int next = after(pieces, at);
+    if (piece.code == ErrorCode::word_order && next != kNone) {
+        range.last = phrase_around(pieces, next).last;
+    }
+    return range;
+}
+
 FormError error_of(const std::vector<Piece>& pieces, int at) {
     const Piece& piece = pieces[static_cast<std::size_t>(at)];
     FormError error;
@@ -43,8 +66,7 @@ FormError error_of(const std::vector<Piece>& pieces, int at) {
     error.begin = piece.begin;
     error.end = piece.end;
     error.right = piece.right;
-    error.phrase = render_phrase(
-        pieces, piece.element.passive ? passive_around(pieces, at) : phrase_around(pieces, at));
+    error.phrase = render_phrase(pieces, shown_around(pieces, at));
     error.base = piece.element.base;
     error.role = piece.element.role;
     error.degree = piece.element.degree;
@@ -89,6 +111,16 @@ PieceRange same_phrase(const std::vector<Piece>& whole, const std::vector<Piece>
         same_role != whole.end()) {
         return phrase_around(whole, static_cast<int>(same_role - whole.begin()));
     }
+    // "Ramps" of "three ramps" is no slot, and the same word there.
+    const Element& word = part[static_cast<std::size_t>(at)].element;
+    for (int i = 0; word.role == Role::noun && word.slot == kNone && !word.base.empty() &&
+                    i < static_cast<int>(whole.size());
+         ++i) {
+        const Element& other = whole[static_cast<std::size_t>(i)].element;
+        if (other.role == Role::noun && other.slot == kNone && other.base == word.base) {
+            return phrase_around(whole, i);
+        }
+    }
     for (int i = phrase.last - 1; i >= 0; --i) {
         if (slot_of(i) != kNone) {
             return same_phrase(whole, slot_of(i));
@@ -112,20 +144,17 @@ void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece,
     mark.emphasis = render_phrase(pieces, range);
 }
 
-/// An answer of other words than English has for it: the whole sentence is put right.
-void mark_wording(const TemplateSet& set, const Parse& parse, std::string_view text, Mark& mark) {
-    const Graph& graph = set.graphs[static_cast<std::size_t>(parse.graph)];
-    const std::vector<Piece> pieces = canonical_pieces(set, graph.answer, parse.slots);
-    mark.corrected = mark.gapped = render(pieces);
-    mark.emphasis = render_phrase(pieces, {0, static_cast<int>(pieces.size())});
-    mark.emphasised = render(pieces, {0, static_cast<int>(pieces.size())});
-    FormError error;
-    error.code = ErrorCode::wording;
-    error.said = std::string(text);
-    error.end = text.size();
-    error.right = error.phrase = mark.emphasis;
-    error.target = true;
-    mark.form_errors.push_back(std::move(error));
+/// "Mars? It has two moons.": behind a sentence's end a pronoun is a subject of its own.
+void allow_new_sentence(std::string_view text, std::vector<Piece>& pieces) {
+    std::size_t last = 0;
+    for (Piece& piece : pieces) {
+        const std::string_view between = text.substr(last, std::max(piece.begin, last) - last);
+        if (piece.code == ErrorCode::extra_pronoun && has_sentence_end(between)) {
+            piece.code = ErrorCode::none;
+            piece.cost = 0;
+        }
+        last = std::max(last, piece.said.empty() ? last : piece.end);
+    }
 }
 
 /// The last word of each slot that the first answer needs.
@@ -158,9 +187,7 @@ const FormError* Mark::main_error() const {
         return importance(error) * 4 + (error.role == Role::determiner ? 2 : 0) +
                (error.code == ErrorCode::spelling ? 1 : 0);
     };
-    const auto found =
-        std::min_element(form_errors.begin(), form_errors.end(),
-                         [&](const FormError& a, const FormError& b) { return rank(a) < rank(b); });
+    const auto found = std::ranges::min_element(form_errors, {}, rank);
     return found == form_errors.end() ? nullptr : &*found;
 }
 
@@ -171,11 +198,17 @@ std::string_view Mark::slot(std::string_view name) const {
 }
 
 Mark mark_answer(const Question& question, std::string_view text, double confidence) {
+    Mark whole = mark_sentence(question, text, confidence);
+    std::optional<Mark> by_sentences = mark_sentences(question, whole);
+    return by_sentences ? std::move(*by_sentences) : std::move(whole);
+}
+
+Mark mark_sentence(const Question& question, std::string_view text, double confidence) {
     Mark mark;
     mark.said = std::string(text.substr(0, kLongestUtterance_bytes));
     mark.confidence = confidence;
     const TemplateSet& set = *question.templates;
-    const auto parse = match(set, text);
+    auto parse = match(set, text);
     if (!parse) {
         find_near_miss(set, text, mark);
         return mark;
@@ -186,10 +219,15 @@ Mark mark_answer(const Question& question, std::string_view text, double confide
     mark.turned_round = graph.turned_round;
     mark.answer = graph.answer;
     mark.slots = parse->slots;
+    find_readings(question, graph, mark);
+    mark.unread_begin = parse->unread;
+    mark.unread = mark.said.substr(parse->unread);
     if (graph.nearly) {
-        mark_wording(set, *parse, text, mark);
+        mark_wording(set, *parse, mark);
         return mark;
     }
+    allow_new_sentence(text, parse->pieces);
+    allow_superlative(question, parse->pieces);
     std::vector<int> places;
     for (int i = 0; i < static_cast<int>(parse->pieces.size()); ++i) {
         if (parse->pieces[static_cast<std::size_t>(i)].code != ErrorCode::none) {
@@ -208,9 +246,89 @@ std::string example_sentence(const Question& question) {
     return render(canonical_pieces(*question.templates, 0, {}));
 }
 
+namespace {
+
+/// The words of the first answer's slots that the question itself says: "metal" of "What is metal like?"; none of a slot of which it says two, and
+/// none that another slot has: in "the ball is next to the {other}" that is another thing.
+std::vector<std::pair<std::string, std::string>> words_of_prompt(const Question& question) {
+    const TemplateSet& set = *question.templates;
+    const std::string prompt = words_between_blanks(question.prompt);
+    std::vector<std::pair<std::string, std::string>> words;
+    for (std::size_t slot = 0; slot < set.slots.size(); ++slot) {
+        std::vector<std::string> said;
+        for (const ListItem& item :
+             set.lists[static_cast<std::size_t>(set.slot_lists[slot])].items) {
+            if (prompt.find(" " + lower_case(item.value) + " ") != std::string::npos) {
+                said.push_back(item.value);
+            }
+        }
+        const bool is_taken = said.size() == 1 && std::ranges::any_of(words, [&](const auto& word) {
+                                  return word.second == said.front();
+                              });
+        if ((set.graphs[0].required & (1U << slot)) != 0 && said.size() == 1 && !is_taken) {
+            words.emplace_back(set.slots[slot], said.front());
+        }
+    }
+    return words;
+}
+
+/// "… is …": nothing in it helps.
+bool says_only_is(const std::vector<Piece>& pieces) {
+    return std::none_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+        return piece.element.slot == kNone && piece.element.role != Role::determiner &&
+               piece.element.role != Role::verb && !piece.right.empty();
+    });
+}
+
+/// Of a phrase "…" alone; with `keeps_the` also its "the", which gives no noun away.
+void leave_gap(PieceRange phrase, bool keeps_the, std::vector<Piece>& pieces) {
+    for (int i = phrase.first; i < phrase.last; ++i) {
+        std::string& right = pieces[static_cast<std::size_t>(i)].right;
+        if (i + 1 == phrase.last) {
+            right = "…";
+        } else if (!keeps_the || right != "the") {
+            right.clear();
+        }
+    }
+}
+
+/// Two words that are wanted side by side are one gap, with the "the" between them: "it is … " for "it is on the egg".
+void join_gaps(std::vector<Piece>& pieces) {
+    Piece* the = nullptr;  // behind a gap
+    bool behind_gap = false;
+    for (Piece& piece : pieces) {
+        if (behind_gap && piece.right == "the" && the == nullptr) {
+            the = &piece;
+            continue;
+        }
+        const bool is_gap = piece.right == "…";
+        if (is_gap && behind_gap) {
+            piece.right.clear();
+            if (the != nullptr) {
+                the->right.clear();
+            }
+        }
+        behind_gap = is_gap || (behind_gap && piece.right.empty());
+        the = behind_gap && !is_gap ? the : nullptr;
+    }
+}
+
+}  // namespace
+
 std::string sentence_frame(const Question& question) {
     const TemplateSet& set = *question.templates;
     std::vector<Piece> pieces = canonical_pieces(set, 0, {});
+    const bool is_bare = says_only_is(pieces);
+    const auto known =
+        is_bare ? words_of_prompt(question) : std::vector<std::pair<std::string, std::string>>{};
+    if (!known.empty()) {
+        pieces = canonical_pieces(set, 0, known);
+    }
+    const auto is_known = [&](const Piece& piece) {
+        return std::any_of(known.begin(), known.end(), [&](const auto& word) {
+            return word.first == set.slots[static_cast<std::size_t>(piece.element.slot)];
+        });
+    };
     const bool counts = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
         return piece.element.role == Role::noun && !piece.element.base.empty();
     });
@@ -224,22 +342,12 @@ std::string sentence_frame(const Question& question) {
         return {};
     }
     for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
-        if (pieces[static_cast<std::size_t>(i)].element.slot != kNone) {
-            const PieceRange phrase = phrase_around(pieces, i);
-            for (int j = phrase.first; j < phrase.last; ++j) {
-                pieces[static_cast<std::size_t>(j)].right = j + 1 == phrase.last ? "…" : "";
-            }
+        const Piece& piece = pieces[static_cast<std::size_t>(i)];
+        if (piece.element.slot != kNone && !is_known(piece)) {
+            leave_gap(phrase_around(pieces, i), is_bare, pieces);
         }
     }
-    // Two words that are wanted side by side are one gap.
-    const auto is_gap = [](const Piece& piece) { return piece.right == "…"; };
-    bool behind_gap = false;
-    for (Piece& piece : pieces) {
-        if (is_gap(piece) && behind_gap) {
-            piece.right.clear();
-        }
-        behind_gap = is_gap(piece) || (behind_gap && piece.right.empty());
-    }
+    join_gaps(pieces);
     return render(pieces);
 }
 
@@ -252,26 +360,40 @@ Mark without_form(Mark mark) {
     return mark;
 }
 
-std::vector<std::string> choices(const Question& question) {
-    const TemplateSet& set = *question.templates;
-    std::vector<std::string> result;
-    for (std::size_t slot = 0; slot < set.slots.size(); ++slot) {
-        const auto& items = set.lists[static_cast<std::size_t>(set.slot_lists[slot])].items;
-        if (items.size() < 2) {
-            continue;  // nothing to choose from
-        }
-        for (const ListItem& item : items) {
-            const std::vector<Piece> pieces =
-                canonical_pieces(set, 0, {{set.slots[slot], item.value}});
-            const std::string phrase =
-                render_phrase(pieces, same_phrase(pieces, static_cast<int>(slot)));
-            if (!phrase.empty() &&
-                std::find(result.begin(), result.end(), phrase) == result.end()) {
-                result.push_back(phrase);
-            }
+namespace {
+
+/// Adds what the first answer can say for `slot`, each once.
+void add_choices(const TemplateSet& set, std::size_t slot, std::vector<std::string>& result) {
+    for (const ListItem& item : set.lists[static_cast<std::size_t>(set.slot_lists[slot])].items) {
+        const std::vector<Piece> pieces = canonical_pieces(set, 0, {{set.slots[slot], item.value}});
+        const std::string phrase =
+            render_phrase(pieces, same_phrase(pieces, static_cast<int>(slot)));
+        if (!phrase.empty() && std::find(result.begin(), result.end(), phrase) == result.end()) {
+            result.push_back(phrase);
         }
     }
-    return result;
+}
+
+}  // namespace
+
+std::vector<std::string> choices(const Question& question) {
+    const TemplateSet& set = *question.templates;
+    const auto known = words_of_prompt(question);
+    std::vector<std::string> all;
+    std::vector<std::string> asked;  // without the slots whose word the question says
+    for (std::size_t slot = 0; slot < set.slots.size(); ++slot) {
+        if (set.lists[static_cast<std::size_t>(set.slot_lists[slot])].items.size() < 2) {
+            continue;  // nothing to choose from
+        }
+        const bool is_known = std::any_of(known.begin(), known.end(), [&](const auto& word) {
+            return word.first == set.slots[slot];
+        });
+        add_choices(set, slot, all);
+        if (!is_known) {
+            add_choices(set, slot, asked);
+        }
+    }
+    return asked.size() > 1 ? asked : all;
 }
 
 }  // namespace fulcrum::dialogue

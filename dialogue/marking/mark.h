@@ -49,13 +49,20 @@ struct Mark {
         pointed_with;  ///< not understood, for a thing was pointed at and not named: "this one"
     std::string
         other_number;  ///< understood, but a number that no list has: it can't be right, and fills no slot
+    Claim claim = Claim::
+        same;  ///< what is said of `slots`; else the lesson is asked about each of `readings` (readings.h)
+    std::vector<std::vector<std::pair<std::string, std::string>>> readings;
+    std::vector<bool> denied;   ///< of `every`: which of them have to be wrong
     int answer = kNone;         ///< which of the question's answers it is, from 0
     bool short_answer = false;  ///< "The watermelon.": fine
     bool turned_round =
         false;  ///< "Metal is made of a spaceship.": thing and material changed places, so it can't be true
     bool form_known =
         true;  ///< false: the meaning alone was heard, and of the form nothing is known
-    double confidence = 1.0;  ///< the recogniser's, 0 to 1; 1 for typed answers
+    std::string
+        unread;  ///< a reason behind the answer that no template asks for: "because it is big"; it was let pass
+    std::size_t unread_begin = 0;  ///< its first byte in `said`
+    double confidence = 1.0;       ///< the recogniser's, 0 to 1; 1 for typed answers
     std::vector<std::pair<std::string, std::string>> slots;  ///< thing -> watermelon
     std::vector<FormError> form_errors;                      ///< in the order said
     std::string corrected;  ///< the whole right sentence: "A watermelon is the heaviest."

@@ -101,8 +101,9 @@ Meanings meanings_of(const Question& question, std::size_t most) {
     Meanings found;
     const TemplateSet& set = *question.templates;
     for (int graph = 0; std::cmp_less(graph, set.graphs.size()); ++graph) {
-        if (set.graphs[static_cast<std::size_t>(graph)].nearly) {
-            continue;  // means what its answer means
+        const Graph& sentence = set.graphs[static_cast<std::size_t>(graph)];
+        if (sentence.nearly || sentence.claim != Claim::same) {
+            continue;  // means what its answer means, or another claim about the same
         }
         Meanings of_answer;
         Walk(question, graph, most, of_answer).run();

@@ -20,9 +20,30 @@ struct Span {
     std::size_t end = 0;
 };
 
+/// "Weighs less" for "weighs more", where that is said for "lighter" and "heavier"; empty where it isn't.
+std::string turned_weight(std::string said, const Element& adjective) {
+    constexpr std::array<std::array<std::string_view, 2>, 2> kTurns = {
+        {{"weighs less", "weighs more"}, {"weighs the least", "weighs the most"}}};
+    const bool compares = adjective.degree != Degree::positive;
+    if (!compares || (adjective.base != "heavy" && adjective.base != "light")) {
+        return {};
+    }
+    const std::array<std::string_view, 2>& turn =
+        kTurns[adjective.degree == Degree::comparative ? 0 : 1];
+    const std::size_t from = adjective.base == "heavy" ? 0 : 1;
+    const std::size_t at = said.find(turn[from]);
+    return at == std::string::npos ? std::string()
+                                   : said.replace(at, turn[from].size(), turn[1 - from]);
+}
+
 /// The form of this adjective's opposite in `said` with which the answer would fit if it were turned round; or empty.
 std::string opposite_in(const TemplateSet& set, const std::string& said, const Element& adjective,
                         const std::string& asked) {
+    const std::string turned = turned_weight(said, adjective);
+    if (!turned.empty() && match(set, turned)) {
+        return degree_forms(adjective.base == "heavy" ? "light" : "heavy", adjective.degree)
+            .front();
+    }
     for (const std::string_view opposite : opposites_of(adjective.base)) {
         for (const std::string& form : degree_forms(opposite, adjective.degree)) {
             const std::size_t at = said.find(form);
@@ -39,6 +60,10 @@ std::string opposite_in(const TemplateSet& set, const std::string& said, const E
 /// that is true isn't known here, and it says nothing about what was asked.
 bool find_opposite(const TemplateSet& set, std::string_view text, Mark& mark) {
     const std::string said = lower_case(text);
+    const std::vector<std::string> words = words_of(text);
+    if (contains(words, "not")) {
+        return false;  // "the egg is not lighter" tells of neither
+    }
     for (const Graph& graph : set.graphs) {
         for (const Element& element : graph.elements) {
             if (element.role != Role::adjective || element.slot != kNone) {

@@ -117,14 +117,15 @@ std::vector<std::string> turned(const TemplateSet& set, const std::string& said,
 void find_opposite_taken(const TemplateSet& set, const std::vector<Sample>& samples,
                          const Opposites& opposites, const std::vector<std::string>& meant,
                          std::vector<std::string>& found) {
-    // "Wind." is short for "no wind": what was left out is not what was turned.
-    const auto is_short = [&](const Parse& parse) {
-        return set.graphs[static_cast<std::size_t>(parse.graph)].short_answer;
+    // "Wind." is short for "no wind": what was left out is not what was turned. What follows from an answer by English means what it says.
+    const auto differs = [&](const Parse& parse) {
+        const Graph& graph = set.graphs[static_cast<std::size_t>(parse.graph)];
+        return graph.short_answer || parse.graph >= set.answers;
     };
     for (const Sample& sample : samples) {
         for (const std::string& other : turned(set, sample.said, opposites, meant)) {
             const auto parse = match(set, other);
-            if (parse && parse->cost == 0 && !is_short(*parse) &&
+            if (parse && parse->cost == 0 && !differs(*parse) &&
                 sorted(parse->slots) == sorted(sample.slots)) {
                 found.push_back(concat({quoted(other), " counts as ", quoted(sample.said),
                                         "; give the two words a list, so that the lesson can "

@@ -8,6 +8,7 @@
 #include <map>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -42,14 +43,17 @@ class Writer {
 
     WordGraph write() {
         int next = 1;
-        for (const Graph& graph : set_.graphs) {
+        for (int i = 0; std::cmp_less(i, set_.graphs.size()); ++i) {
             first_.push_back(next);
-            next += graph.nodes();
+            next += follows_by_english(i) ? 0 : set_.graphs[static_cast<std::size_t>(i)].nodes();
         }
         const int end = next;
         next_ = next + 1;
         for (std::size_t i = 0; i < set_.graphs.size(); ++i) {
             const Graph& graph = set_.graphs[i];
+            if (follows_by_english(static_cast<int>(i))) {
+                continue;
+            }
             add(0, first_[i] + graph.start(), kNone, 1.0);
             add(first_[i] + graph.end(), end, kNone, 1.0);
             for (const Arc& arc : graph.arcs) {
@@ -66,6 +70,13 @@ class Writer {
     }
 
   private:
+    /// Made of an author's sentence (template/variants.h, place_answers.h). With all of those a recogniser of closed vocabulary is too slow.
+    [[nodiscard]] bool follows_by_english(int number) const {
+        const Graph& graph = set_.graphs[static_cast<std::size_t>(number)];
+        const bool short_or_else = graph.short_answer || graph.nearly || graph.turned_round;
+        return number >= set_.answers && (graph.claim != Claim::same || !short_or_else);
+    }
+
     [[nodiscard]] int renumber(int node, int end) const {
         return node == end ? next_ - 1 : node - (node > end ? 1 : 0);
     }
@@ -78,7 +89,8 @@ class Writer {
         for (const int word : graph.said_by(arc)) {
             add_spoken(set_.words.text(word), spoken);
         }
-        const std::string_view right = arc.right == kNone ? "" : set_.texts.text(arc.right);
+        const std::string_view right =
+            arc.right == kNone ? std::string_view() : set_.texts.text(arc.right);
         if (spoken.size() == 1 && sounds_right(spoken.front(), right)) {
             return;
         }

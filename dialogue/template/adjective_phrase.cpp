@@ -11,9 +11,9 @@ namespace {
 constexpr std::array<std::string_view, 9> kBeforeComparative = {
     "way", "a little bit", "much", "far", "a lot", "a bit", "a little", "slightly", "even"};
 /// Said before a plain adjective, rightly. None of them turns its meaning round.
-constexpr std::array<std::string_view, 11> kBeforePositive = {
+constexpr std::array<std::string_view, 12> kBeforePositive = {
     "very", "very very", "quite", "pretty",       "rather", "a bit",
-    "both", "a little",  "so",    "a little bit", "also"};
+    "both", "a little",  "so",    "a little bit", "also",   "slightly"};
 
 /// An article that the template doesn't have: "metal is a hard". Whether "the" before a higher degree is right depends
 /// on what follows (resolve.h), so it counts as part of the form.
@@ -93,6 +93,42 @@ void add_degree(ArcWriter& writer, const WordList& words, int slot, Degree degre
             }
         }
     }
+}
+
+int add_of_all(ArcWriter& writer, OneToo one, int from) {
+    const int noun = writer.add_node();
+    const int to = writer.add_node();
+    writer.join(from, noun);
+    writer.join(noun, to);
+    if (one == OneToo::yes) {
+        writer.add_arc(from, noun, writer.add_element({Role::word}), {"one", "one"});
+    }
+    const int of = writer.add_element({Role::word});
+    for (const std::string_view said :
+         {"of all", "of them", "of them all", "of all of them", "of the three", "of the four"}) {
+        writer.add_arc(noun, to, of, {said, said});
+    }
+    return to;
+}
+
+int add_than_is(ArcWriter& writer, int from) {
+    const int to = writer.add_node();
+    writer.join(from, to);
+    const int is = writer.add_element({Role::word});
+    for (const std::string_view said : {"is", "are"}) {
+        writer.add_arc(from, to, is, {said, ""});
+    }
+    return to;
+}
+
+int add_late_is(ArcWriter& writer, int from) {
+    const int to = writer.add_node();
+    writer.join(from, to);
+    const int late = writer.add_element({Role::word});
+    for (const std::string_view said : {"is", "are"}) {
+        writer.add_arc(from, to, late, {said, "", ErrorCode::word_order, kSlipCost});
+    }
+    return to;
 }
 
 }  // namespace fulcrum::dialogue

@@ -3,10 +3,16 @@
 #include "dialogue/english/letters.h"
 #include "dialogue/english/variant.h"
 #include "dialogue/template/graph_builder.h"
+#include "dialogue/template/place_answers.h"
 #include "dialogue/template/short_answers.h"
+#include "dialogue/template/tail_answers.h"
 #include "dialogue/template/tokens.h"
+#include "dialogue/template/turned_order.h"
+#include "dialogue/template/variants.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -64,6 +70,86 @@ Expected<ListItem> parse_item(const std::string& entry) {
     }
 }
 
+/// Materials that things are told apart by.
+constexpr std::array<std::string_view, 26> kMaterials = {
+    "metal",  "wood", "plastic", "glass",  "rubber", "paper",  "stone",    "rock",     "steel",
+    "iron",   "gold", "silver",  "copper", "cotton", "wool",   "leather",  "clay",     "brick",
+    "marble", "silk", "cork",    "tin",    "brass",  "bronze", "concrete", "cardboard"};
+
+/// "Metal" of a metal block, "wood" of a wooden one; empty for what is no material.
+std::string material_of(const std::string& attribute) {
+    const std::string material = attribute == "wooden"    ? "wood"
+                                 : attribute == "woollen" ? "wool"
+                                                          : attribute;
+    return std::ranges::find(kMaterials, material) == kMaterials.end() ? std::string() : material;
+}
+
+/// "Metal" of "metal block": what a block may be told apart by; "" where it is no such noun.
+std::string attribute_of(const Noun& noun) {
+    const std::size_t space = noun.text.rfind(' ');
+    const std::string before = noun.text.substr(0, space == std::string::npos ? 0 : space);
+    const bool counts = noun.noun_class == NounClass::count && noun.number() == Number::singular;
+    const bool told =
+        describes(before) || is_mass_noun(before) || !material_of(lower_case(before)).empty();
+    return counts && told && !noun.text.ends_with(" one") ? before : std::string();
+}
+
+/// "The block of metal", "the wood block": the same thing, told by its material in other words; "the block made of metal" where making is
+/// not what is asked for.
+void add_of_material(std::vector<Noun>& spoken, const std::string& attribute,
+                     const std::string& head, bool tells_by_making) {
+    const std::string material = material_of(lower_case(attribute));
+    if (material.empty()) {
+        return;
+    }
+    std::vector<std::string> names = {concat({head, " of ", material})};
+    if (tells_by_making) {
+        names.push_back(concat({head, " made of ", material}));
+        names.push_back(concat({"one made of ", material}));
+    }
+    if (material != attribute) {
+        names.push_back(concat({material, " ", head}));
+        names.push_back(concat({material, " one"}));
+    }
+    for (const std::string& name : names) {
+        const bool said = std::ranges::find(spoken, name, &Noun::text) != spoken.end();
+        if (!said) {
+            spoken.push_back({name, NounClass::count});
+        }
+    }
+}
+
+/// "The metal one" for "the metal block", where no other entry is of metal and the author has no words of that kind.
+void add_ones(WordList& list, bool tells_by_making) {
+    std::vector<std::string> attributes;
+    for (const ListItem& item : list.items) {
+        attributes.push_back(attribute_of(item.spoken.front()));
+    }
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+        std::vector<Noun>& spoken = list.items[i].spoken;
+        const bool said = std::any_of(spoken.begin(), spoken.end(),
+                                      [](const Noun& noun) { return noun.text.ends_with(" one"); });
+        const bool one_of_its_kind =
+            std::count(attributes.begin(), attributes.end(), attributes[i]) == 1;
+        if (attributes[i].empty() || !one_of_its_kind) {
+            continue;
+        }
+        if (!said) {
+            spoken.push_back(understand_noun(attributes[i] + " one"));
+        }
+        const std::string& whole = spoken.front().text;
+        add_of_material(spoken, attributes[i], whole.substr(attributes[i].size() + 1),
+                        tells_by_making);
+    }
+}
+
+/// A list of what things are made of.
+bool has_materials(const WordList& list) {
+    return std::ranges::any_of(list.items, [](const ListItem& item) {
+        return !material_of(lower_case(item.value)).empty();
+    });
+}
+
 Expected<std::vector<WordList>> parse_lists(const NamedLists& lists) {
     std::vector<WordList> result;
     std::size_t entries = 0;
@@ -97,6 +183,10 @@ Expected<std::vector<WordList>> parse_lists(const NamedLists& lists) {
         }
         result.push_back(std::move(list));
     }
+    const bool tells_by_making = std::ranges::none_of(result, has_materials);
+    for (WordList& list : result) {
+        add_ones(list, tells_by_making);
+    }
     return result;
 }
 
@@ -119,21 +209,19 @@ int subject_of(const std::vector<int>& subjects, std::size_t i) {
     return i < subjects.size() ? subjects[i] : 0;
 }
 
-/// The first answer about `subject` that has a place for all that `graph` means; kNone when none has.
-int said_rightly(const TemplateSet& set, const Graph& graph, const std::vector<int>& subjects,
-                 int subject) {
+/// The answers about `subject` that have a place for all that `graph` means.
+std::vector<int> said_rightly(const TemplateSet& set, const Graph& graph,
+                              const std::vector<int>& subjects, int subject) {
+    std::vector<int> answers;
     for (int i = 0; i < set.answers; ++i) {
-        if (subject_of(subjects, static_cast<std::size_t>(i)) != subject) {
-            continue;
-        }
         const Graph& answer = set.graphs[static_cast<std::size_t>(i)];
         const bool fits =
             (graph.slots & ~answer.slots) == 0 && (answer.required & ~graph.required) == 0;
-        if (fits) {
-            return i;
+        if (fits && subject_of(subjects, static_cast<std::size_t>(i)) == subject) {
+            answers.push_back(i);
         }
     }
-    return kNone;
+    return answers;
 }
 
 Expected<bool> add_nearly(TemplateSet& set, const ParsedRules& rules,
@@ -145,12 +233,13 @@ Expected<bool> add_nearly(TemplateSet& set, const ParsedRules& rules,
             return within(where, sentence.error());
         }
         Graph& graph = sentence->graph;
-        graph.answer =
+        graph.answers =
             said_rightly(set, graph, source.subjects, subject_of(source.nearly_subjects, i));
-        if (graph.answer == kNone) {
+        if (graph.answers.empty()) {
             return fail(where +
                         ": no answer says the same rightly; give one with the same {slots}");
         }
+        graph.answer = graph.answers.front();
         graph.nearly = true;
         graph.whole_sentence = false;
         set.graphs.push_back(std::move(graph));
@@ -195,9 +284,14 @@ Expected<TemplateSet> compile_templates(const TemplateSource& source) {
     if (const auto added = add_nearly(set, *rules, source); !added) {
         return tl::unexpected(added.error());
     }
+    add_turned_order(set, *rules, source.sentences);
     if (const auto added = add_short_answers(set, *rules, forms); !added) {
         return within("short answers", added.error());
     }
+    add_counted_answers(set, *rules, source.sentences);
+    add_tail_answers(set, *rules, source.sentences);
+    add_variants(set, *rules, source.sentences);
+    add_place_answers(set, *rules, source.sentences);
     return set;
 }
 

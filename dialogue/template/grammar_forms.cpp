@@ -108,6 +108,11 @@ Expected<Built> GraphBuilder::degree(const Syntax& syntax, const SyntaxNode& par
     Built built{writer_.add_node(), words->bits(), words->bits()};
     add_degree(writer_, words->words(), words->slot, degree, neighbours.after_article, from,
                built.to);
+    if (degree == Degree::superlative && neighbours.closes) {
+        built.to = add_of_all(writer_, OneToo::yes, built.to);
+    } else if (degree == Degree::comparative && neighbours.before_than) {
+        built.to = add_late_is(writer_, built.to);
+    }
     if (degree == Degree::positive && words->slot != kNone) {
         form_slots_.adjectives.push_back(words->slot);
     }
@@ -120,10 +125,12 @@ Expected<Built> GraphBuilder::made_of(const Syntax& syntax, const SyntaxNode& pa
     if (!words) {
         return tl::unexpected(words.error());
     }
-    const int material = add_made_of(writer_, neighbours, from);
+    const int material =
+        add_made_of(writer_, neighbours, neighbours.after_it ? Making::late : Making::plain, from);
     form_slots_.subject = neighbours.subject;
-    Built built{writer_.add_node(), words->bits(), words->bits()};
-    add_material(writer_, words->words(), words->slot, material, built.to);
+    const int made_of = writer_.add_node();
+    add_material(writer_, words->words(), words->slot, material, made_of);
+    const Built built{add_made_last(writer_, made_of), words->bits(), words->bits()};
     form_slots_.material = words->slot;
     return built;
 }

@@ -89,6 +89,16 @@ struct Arc {
     bool canonical = false;            ///< part of the sentence that a recast gives
 };
 
+/// What is said, measured by what the author's answer says with the same words.
+enum class Claim : std::uint8_t {
+    same,      ///< as much: "the apple is heavier", "the egg is not as heavy as the apple"
+    contrary,  ///< the contrary, an answer as well: "metal is not soft"
+    excluded,  ///< the contrary, which leaves open what is asked: "the egg is not the heaviest"
+    of_none,   ///< that no word is right: "they weigh the same"
+    of_any,    ///< that some word is right: "on top", of whatever that is
+    every      ///< of several sentences: each of them, see marking/sentence_marks.h
+};
+
 /// One template, compiled. Nodes are numbered in an order in which every arc goes upwards.
 struct Graph {
     std::vector<Arc> arcs;       ///< ordered by `from`
@@ -104,6 +114,10 @@ struct Graph {
     bool turned_round =
         false;           ///< "Metal is made of a spaceship.": thing and material change places
     int answer = kNone;  ///< the answer that this is, or is short for
+    Claim claim = Claim::same;
+    int about = kNone;  ///< of another claim: the slot whose words it is about
+    std::vector<int>
+        answers;  ///< of what is nearly one: all answers that mean the same; `answer` is the first
 
     [[nodiscard]] int nodes() const { return static_cast<int>(first_arc.size()) - 1; }
     [[nodiscard]] int start() const { return 0; }

@@ -2,9 +2,9 @@
 // NOLINTBEGIN(misc-no-recursion)
 #include "dialogue/template/graph_builder.h"
 
-#include "dialogue/english/determiner.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/number.h"
+#include "dialogue/template/what_follows.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,20 +14,6 @@ namespace {
 
 using Kind = SyntaxNode::Kind;
 constexpr std::size_t kDeepestRules = 24;
-
-const SyntaxNode& at(const Syntax& syntax, int index) {
-    return syntax[static_cast<std::size_t>(index)];
-}
-
-/// The part itself, without brackets and sequences that hold nothing else.
-const SyntaxNode& unwrapped(const Syntax& syntax, int index) {
-    const SyntaxNode* part = &at(syntax, index);
-    while ((part->kind == Kind::sequence || part->kind == Kind::alternatives) &&
-           part->children.size() == 1) {
-        part = &at(syntax, part->children[0]);
-    }
-    return *part;
-}
 
 /// The article that a part asks for when it consists of articles only: "the", "[the|a|an]", "(a|an)", <article>. The one
 /// that stands first is the author's own; the others are only let pass.
@@ -80,17 +66,9 @@ bool is_adjective(const SyntaxNode& part) {
            (part.text == "adjective" || part.text == "comparative" || part.text == "superlative");
 }
 
-/// A plain word that is neither verb, preposition nor determiner.
-bool may_be_noun(const SyntaxNode& part) {
-    VerbForms forms;
-    return part.kind == Kind::word && !is_article(part.text) && !is_demonstrative(part.text) &&
-           !is_preposition(part.text) && !understand_verb(part.text, forms);
-}
-
-/// A plain noun with no other noun behind it, no name.
-bool is_head_noun(const SyntaxNode& part, const SyntaxNode* next) {
-    return may_be_noun(part) && part.argument.empty() && (next == nullptr || !may_be_noun(*next)) &&
-           (next == nullptr || next->kind != Kind::list);
+/// What is behind the `i`th part of a sequence; null behind the last.
+const SyntaxNode* part_behind(const Syntax& syntax, const SyntaxNode& whole, std::size_t i) {
+    return i + 1 < whole.children.size() ? &unwrapped(syntax, whole.children[i + 1]) : nullptr;
 }
 
 /// An article of plain words, and the node before it.
@@ -130,23 +108,11 @@ Neighbours behind(const SyntaxNode& done, bool has_article, bool noun_phrase) {
     neighbours.after_article = has_article && !noun_phrase;
     neighbours.after_list = noun_phrase || done.kind == Kind::list;
     neighbours.after_adjective = is_adjective(done);
+    neighbours.after_it = done.kind == Kind::rule && done.text == "it";
     neighbours.subject = subject_number(done);
     neighbours.behind_is = done.kind == Kind::word && done.text == "is";
     neighbours.begins_phrase = done.kind == Kind::word && is_preposition(done.text);
     return neighbours;
-}
-
-/// "My", "(this|the)": one of them is said. "That" alone may join sentences.
-bool is_determined(const Syntax& syntax, int index) {
-    const SyntaxNode& part = unwrapped(syntax, index);
-    if (part.kind == Kind::alternatives) {
-        return std::all_of(part.children.begin(), part.children.end(), [&](int child) {
-            const SyntaxNode& inner = unwrapped(syntax, child);
-            return inner.kind == Kind::word && is_sole_determiner(inner.text);
-        });
-    }
-    return part.kind == Kind::word && part.text != "that" &&
-           (is_sole_determiner(part.text) || part.text == "one");
 }
 
 /// What may stand between a determiner and its noun: a form of an adjective, "long", {colour}, or one of them in brackets.
@@ -184,7 +150,7 @@ SubjectNumber noun_number_after(const Syntax& syntax, const SyntaxNode& sequence
 }  // namespace
 
 Expected<Built> GraphBuilder::build(const Syntax& syntax, int from) {
-    return node(syntax, 0, from, {});
+    return node(syntax, 0, from, {.closes = true});
 }
 
 Expected<bool> GraphBuilder::step(const SyntaxNode& part) {
@@ -198,7 +164,7 @@ Expected<bool> GraphBuilder::step(const SyntaxNode& part) {
 
 Expected<Built> GraphBuilder::node(const Syntax& syntax, int index, int from,
                                    Neighbours neighbours) {
-    const SyntaxNode& part = at(syntax, index);
+    const SyntaxNode& part = part_at(syntax, index);
     if (const auto within = step(part); !within) {
         return tl::unexpected(within.error());
     }
@@ -213,7 +179,9 @@ Expected<Built> GraphBuilder::node(const Syntax& syntax, int index, int from,
             return permutation(syntax, part, from);
         case Kind::list:
             return list(part,
-                        neighbours.in_phrase ? ArticlePolicy::determined : ArticlePolicy::bare,
+                        neighbours.after_no    ? ArticlePolicy::after_no
+                        : neighbours.in_phrase ? ArticlePolicy::determined
+                                               : ArticlePolicy::bare,
                         from, neighbours.behind_is);
         case Kind::rule:
             return rule(syntax, part, from, neighbours);
@@ -230,14 +198,17 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
                                        Neighbours neighbours) {
     Built built{from};
     const bool adjective_follows = neighbours.before_adjective;
+    const bool closes = neighbours.closes;
     const SubjectNumber noun_follows = neighbours.noun;
     SaidArticle article;
     for (std::size_t i = 0; i < part.children.size(); ++i) {
         const int child = part.children[i];
         const auto policy = article_policy(syntax, child);
-        const SyntaxNode* next =
-            i + 1 < part.children.size() ? &unwrapped(syntax, part.children[i + 1]) : nullptr;
+        const std::size_t first = i;
+        const SyntaxNode* next = part_behind(syntax, part, i);
         neighbours.before_adjective = next != nullptr ? is_adjective(*next) : adjective_follows;
+        neighbours.closes = closes_phrase(syntax, next, closes);
+        neighbours.before_than = begins_with_than(syntax, next);
         neighbours.noun =
             policy ? noun_number_after(syntax, part, i, noun_follows) : SubjectNumber::unknown;
         const bool noun_phrase = policy && next != nullptr && next->kind == Kind::list;
@@ -252,10 +223,11 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
             return fail(
                 "a slot is filled twice in one sentence; give one of them a name of its own, as "
                 "{thing:other}",
-                at(syntax, part.children[i]).column);
+                part_at(syntax, part.children[i]).column);
         }
         built = {made->to, built.slots | made->slots, built.required | made->required,
                  built.definite | made->definite};
+        built.to = add_tail(syntax, part, first, i, closes, built.to);
         const SyntaxNode& done = unwrapped(syntax, child);
         const bool in_phrase =
             noun_phrase ? is_attribute(set_, syntax, part.children[i])
@@ -265,8 +237,26 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
         article = noun_phrase ? SaidArticle{} : SaidArticle{policy, start};
         neighbours = behind(done, policy.has_value(), noun_phrase);
         neighbours.in_phrase = in_phrase;
+        neighbours.after_no = takes_no_article(syntax, child);
     }
     return built;
+}
+
+int GraphBuilder::add_tail(const Syntax& syntax, const SyntaxNode& sequence, std::size_t first,
+                           std::size_t last, bool closes, int from) {
+    const auto part = [&](std::size_t i) { return &unwrapped(syntax, sequence.children[i]); };
+    const SyntaxNode* before = first > 0 ? part(first - 1) : nullptr;
+    const SyntaxNode* next = part_behind(syntax, sequence, last);
+    if (before == nullptr || !closes_phrase(syntax, next, closes)) {
+        return from;
+    }
+    if (before->kind == Kind::rule && before->text == "superlative" &&
+        is_optional_noun(syntax, part(last))) {
+        return add_of_all(writer_, OneToo::no, from);
+    }
+    const bool compared = before->kind == Kind::word && before->text == "than";
+    const bool ends = part(last)->kind == Kind::list && next == nullptr;
+    return compared && ends ? add_than_is(writer_, from) : from;
 }
 
 Expected<Built> GraphBuilder::alternatives(const Syntax& syntax, const SyntaxNode& part,

@@ -51,6 +51,10 @@ class GraphBuilder {
     Expected<Built> node(const Syntax& syntax, int index, int from, Neighbours neighbours);
     Expected<Built> sequence(const Syntax& syntax, const SyntaxNode& part, int from,
                              Neighbours neighbours);
+    /// What may be said behind the parts [first, last] of a sequence though the author doesn't say it: "of all", "than the egg *is*"; the
+    /// node behind it.
+    int add_tail(const Syntax& syntax, const SyntaxNode& sequence, std::size_t first,
+                 std::size_t last, bool closes, int from);
     Expected<Built> alternatives(const Syntax& syntax, const SyntaxNode& part, bool optional,
                                  int from, Neighbours neighbours);
     Expected<Built> permutation(const Syntax& syntax, const SyntaxNode& part, int from);

@@ -11,10 +11,14 @@ namespace fulcrum::dialogue {
 namespace {
 
 /// Words that carry no meaning here.
-constexpr std::array<std::string_view, 26> kFillers = {
-    "um",         "uh",     "er",      "erm",  "hm",   "hmm",      "mm",   "well",  "ok",
-    "okay",       "oh",     "ah",      "yes",  "yeah", "please",   "so",   "maybe", "like",
-    "definitely", "really", "teacher", "miss", "sir",  "actually", "only", "just"};
+constexpr std::array<std::string_view, 31> kFillers = {
+    "um",      "uh",         "er",         "erm",     "hm",        "hmm",       "mm",     "well",
+    "ok",      "okay",       "oh",         "ah",      "yes",       "yeah",      "please", "so",
+    "maybe",   "like",       "definitely", "really",  "actually",  "only",      "just",   "now",
+    "exactly", "altogether", "probably",   "perhaps", "certainly", "obviously", "simply"};
+
+/// Who is spoken to, first or last: "Miss, it is the egg"; not "it misses a tail".
+constexpr std::array<std::string_view, 3> kSpokenTo = {"teacher", "miss", "sir"};
 
 /// Openings and endings of the same kind.
 constexpr std::array<std::string_view, 22> kPhrases = {
@@ -24,8 +28,29 @@ constexpr std::array<std::string_view, 22> kPhrases = {
     "i am sure that", "i am sure",   "let me see",     "in my opinion", "it feels like",
     "you know",       "you see"};
 
+/// Said behind an answer of what it rests on; before one "it" begins it.
+constexpr std::array<std::string_view, 11> kRemarks = {"i can feel it",
+                                                       "i feel it",
+                                                       "i could feel it",
+                                                       "i felt it",
+                                                       "i felt it in my hand",
+                                                       "i feel it in my hand",
+                                                       "i think so",
+                                                       "i know it",
+                                                       "i am very sure",
+                                                       "i am sure of it",
+                                                       "i saw it"};
+
+/// Asked behind an answer, whether it is so.
+constexpr std::array<std::string_view, 6> kTags = {"is not it",   "does not it",   "are not they",
+                                                   "do not they", "is that right", "right"};
+
 /// Begin a reason: what follows is not the answer, and is let pass whatever it says.
-constexpr std::array<std::string_view, 4> kReasons = {"because", "cause", "cos", "coz"};
+constexpr std::array<std::string_view, 5> kReasons = {"because", "cause", "cos", "coz", "since"};
+
+/// Begin a clause behind "so": "so it falls"; not "so heavy".
+constexpr std::array<std::string_view, 14> kSubjects = {
+    "it", "they", "i", "we", "you", "there", "that", "he", "she", "the", "this", "my", "a", "an"};
 
 /// Words of two letters that are never taken for a slip.
 constexpr std::array<std::string_view, 35> kShortWords = {
@@ -42,7 +67,7 @@ constexpr std::array kContractions = {
     Contraction{"theyre", "they", "are", "they're"}, Contraction{"im", "i", "am", "I'm"}};
 
 /// Real words that are never taken for a slip of another: a pear is no bear.
-constexpr std::array<std::string_view, 133> kRealWords = {
+constexpr std::array<std::string_view, 134> kRealWords = {
     "pear",     "bear",   "bean",   "beans",  "peach",  "plum",   "lemon",  "melon",  "mango",
     "grape",    "grapes", "lime",   "cherry", "berry",  "onion",  "carrot", "corn",   "nut",
     "nuts",     "egg",    "leg",    "ham",    "fish",   "dish",   "cat",    "hat",    "bat",
@@ -57,7 +82,7 @@ constexpr std::array<std::string_view, 133> kRealWords = {
     "stove",    "boot",   "coat",   "cap",    "cut",    "cub",    "coil",   "bull",   "wall",
     "cook",     "tablet", "cattle", "castor", "status", "battle", "chain",  "tile",   "time",
     "tired",    "widow",  "robber", "rudder", "stinky", "hare",   "herd",   "sort",   "sofa",
-    "slippers", "rack",   "roof",   "male",   "mode",   "close",  "near"};
+    "slippers", "rack",   "roof",   "male",   "mode",   "close",  "near",   "think"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view word) {
@@ -174,6 +199,12 @@ void mark_phrases(const TemplateSet& set, const std::vector<Token>& tokens, std:
                 break;
             }
         }
+        for (const std::string_view remark : kRemarks) {
+            const std::vector<std::string> words = words_of(remark);
+            const auto begin = static_cast<std::size_t>(first - heard.begin());
+            again = again || (!all_known(set, words) && begin + words.size() < last &&
+                              mark_phrase(tokens, last - words.size(), words, heard));
+        }
     }
 }
 
@@ -184,11 +215,29 @@ struct MendedToken {
     std::string_view short_form{};
 };
 
-/// Where a reason begins that the templates don't ask for: "… because it is big"; the number of tokens without one.
-std::size_t reason_of(const TemplateSet& set, const std::vector<MendedToken>& tokens) {
+/// The author's own sentences say it, right or wrong; what follows from them by English ("not so heavy") does not count.
+bool is_asked_for(const TemplateSet& set, const std::string& text) {
+    const int word = set.words.find(text);
+    for (int i = 0; word != kNone && i < static_cast<int>(set.graphs.size()); ++i) {
+        const Graph& graph = set.graphs[static_cast<std::size_t>(i)];
+        if ((i < set.answers || graph.nearly) &&
+            std::find(graph.said.begin(), graph.said.end(), word) != graph.said.end()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Where a reason begins that the templates don't ask for: "… because it is big", "… so that it flies"; the number of tokens without one.
+std::size_t reason_of(const TemplateSet& set, const std::vector<MendedToken>& tokens,
+                      Reason reason) {
     for (std::size_t i = 1; i < tokens.size(); ++i) {
         const std::string& word = tokens[i].token.text;
-        if (contains(kReasons, word) && set.words.find(word) == kNone) {
+        const bool so = reason == Reason::so_too && word == "so" && i + 1 < tokens.size() &&
+                        contains(kSubjects, tokens[i + 1].token.text);
+        const bool aim =
+            word == "so" && i + 1 < tokens.size() && tokens[i + 1].token.text == "that";
+        if ((aim || so || contains(kReasons, word)) && !is_asked_for(set, word)) {
             return i;
         }
     }
@@ -251,10 +300,46 @@ bool its_is_open(const TemplateSet& set, std::string_view utterance) {
                        [](const Token& token) { return token.text == "its"; });
 }
 
+bool is_frame(std::string_view utterance) {
+    const std::vector<Token> tokens = tokenise(utterance);
+    for (std::size_t at = 0; at < tokens.size();) {
+        std::size_t framing = contains(kFillers, tokens[at].text) ? 1 : 0;
+        const auto take = [&](std::string_view phrase) {
+            const std::vector<std::string> words = words_of(phrase);
+            framing = stands_at(tokens, at, words) ? std::max(framing, words.size()) : framing;
+        };
+        std::ranges::for_each(kPhrases, take);
+        std::ranges::for_each(kRemarks, take);
+        std::ranges::for_each(kTags, take);
+        if (framing == 0) {
+            return false;
+        }
+        at += framing;
+    }
+    return true;
+}
+
+bool has_consequence(const TemplateSet& set, std::string_view utterance) {
+    const std::vector<Token> tokens = tokenise(utterance);
+    return !is_asked_for(set, "so") &&
+           std::any_of(tokens.begin(), tokens.end(),
+                       [](const Token& token) { return token.text == "so"; });
+}
+
+namespace {
+
+/// "So, the apple is heavier", where "not so heavy" may be said as well; "the lift is smaller then": "than" has something behind it.
+bool opens_or_ends(std::string_view word, std::size_t at, std::size_t end, std::size_t n_words) {
+    const bool is_outermost = at == 0 || at + 1 == end;
+    return (at == 0 && word == "so") || (is_outermost && n_words > 1 && word == "then");
+}
+
+}  // namespace
+
 std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utterance,
-                                  std::size_t& comparisons, Its its) {
+                                  std::size_t& comparisons, Its its, Reason reasons) {
     std::vector<MendedToken> said = mended(set, tokenise(utterance), its);
-    const std::size_t reason = reason_of(set, said);
+    const std::size_t reason = reason_of(set, said, reasons);
     std::vector<Token> tokens;
     std::vector<HeardWord> heard;
     for (MendedToken& mended_token : said) {
@@ -262,15 +347,21 @@ std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utter
         HeardWord word{
             kNone, token.begin, token.end, mended_token.slip, false, mended_token.short_form};
         if (heard.size() >= reason) {
-            word.filler = true;
+            word.filler = word.unread = true;
         } else {
             word.word = set.words.find(token.text);
         }
         if (word.word == kNone && !word.filler) {
-            word.filler = contains(kFillers, token.text);
+            const bool at_edge = heard.size() + 1 == reason ||
+                                 std::all_of(heard.begin(), heard.end(),
+                                             [](const HeardWord& before) { return before.filler; });
+            word.filler =
+                contains(kFillers, token.text) || (at_edge && contains(kSpokenTo, token.text));
             word.word = word.filler ? kNone : nearest_word(set, token.text, comparisons);
             word.slip = word.word == kNone ? word.slip : ErrorCode::spelling;
         }
+        word.filler = word.filler || opens_or_ends(token.text, heard.size(),
+                                                   std::min(reason, said.size()), said.size());
         heard.push_back(word);
         tokens.push_back(std::move(mended_token.token));
     }

@@ -219,6 +219,11 @@ std::optional<Parse> match_heard(const TemplateSet& set, const std::vector<Heard
             best = std::move(parse);
         }
     }
+    if (best) {
+        const auto first = std::find_if(heard.begin(), heard.end(),
+                                        [](const HeardWord& word) { return word.unread; });
+        best->unread = first == heard.end() ? utterance.size() : first->begin;
+    }
     return best;
 }
 
@@ -238,6 +243,11 @@ std::optional<Parse> match(const TemplateSet& set, std::string_view utterance, M
         if (other && (!best || other->cost < best->cost)) {
             best = std::move(other);
         }
+    }
+    if (!best && has_consequence(set, utterance)) {
+        best = match_heard(
+            set, hear_words(set, utterance, counted.comparisons, Its::contraction, Reason::so_too),
+            utterance, counted);
     }
     return best;
 }

@@ -46,6 +46,7 @@ struct Parse {
     bool leaves_out = false;  ///< "there are two": what was counted is not said
     std::vector<Piece> pieces;
     std::vector<std::pair<std::string, std::string>> slots;  ///< slot -> value, in the order said
+    std::size_t unread = 0;  ///< the byte where a reason begins that was let pass, or the end
 };
 
 /// How much a match had to do; for tests that bound it.

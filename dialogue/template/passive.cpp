@@ -3,7 +3,7 @@
 //
 //   --is--> --made--> --of--> --metal-->
 //     are R:VERB:SVA (settled by the subject, resolve.h) · nothing M:VERB · make R:VERB:FORM · maked R:VERB:INFL
-//   --makes R:VERB:VOICE----> --by R:PREP--> --a R:DET metal-->
+//   --makes R:VERB:VOICE----> --by R:PREP--> --a U:DET metal-->
 #include "dialogue/english/letters.h"
 #include "dialogue/english/making.h"
 #include "dialogue/template/phrases.h"
@@ -37,6 +37,8 @@ void add_auxiliary(ArcWriter& writer, SubjectNumber subject, int from, int to) {
         writer.add_arc(from, to, verb, {wrong.text, own, wrong.code, kPatternCost});
     }
     writer.add_arc(from, to, verb, {"", own, ErrorCode::missing_verb, kPatternCost});
+    add_past_of_be(writer, passive_element(Role::verb), own, subject == SubjectNumber::unknown,
+                   from, to);
 }
 
 void add_active(ArcWriter& writer, SubjectNumber subject, int from, int to) {
@@ -49,12 +51,21 @@ void add_active(ArcWriter& writer, SubjectNumber subject, int from, int to) {
     }
 }
 
-void add_participle(ArcWriter& writer, int from, int to) {
+/// "The key is metal": as right as "is made of metal".
+void add_without_making(ArcWriter& writer, int from, int to) {
+    const int nothing = writer.add_element(passive_element(Role::word));
+    writer.add_arc(from, to, nothing, {"", ""});
+}
+
+void add_participle(ArcWriter& writer, Making making, int from, int to) {
     // No agreement of its own: it follows the auxiliary, not the subject.
     const int made = writer.add_element(passive_element(Role::word));
     writer.add_arc(from, to, made, {"made", "made", ErrorCode::none, 0, true});
     for (const LearnerVerb& wrong : learner_participles()) {
         writer.add_arc(from, to, made, {wrong.text, "made", wrong.code, kPatternCost});
+    }
+    if (making != Making::whole) {
+        writer.add_arc(from, to, made, {"", "made", ErrorCode::missing_verb, kPatternCost});
     }
 }
 
@@ -72,14 +83,14 @@ void add_of(ArcWriter& writer, int from, int to) {
     writer.add_arc(from, to, preposition, {"", "of", ErrorCode::missing_preposition, kPatternCost});
 }
 
-/// No article: "of the metal" and "of some wood" pass and are said back without; "of a metal" is wrong.
+/// No article: "of some wood" passes and is said back without; "of a metal" and "of the metal" are wrong.
 void add_article_of_material(ArcWriter& writer, int from, int to) {
     const int determiner = writer.add_element({Role::determiner});
     writer.add_arc(from, to, determiner, {"", "", ErrorCode::none, 0, true});
-    for (const std::string_view said : {"the", "some", "this", "that"}) {
+    for (const std::string_view said : {"some", "this", "that"}) {
         writer.add_arc(from, to, determiner, {said, ""});
     }
-    for (const std::string_view said : {"a", "an"}) {
+    for (const std::string_view said : {"a", "an", "the"}) {
         writer.add_arc(from, to, determiner, {said, "", ErrorCode::extra_determiner, kSlipCost});
     }
 }
@@ -120,7 +131,17 @@ void add_material(ArcWriter& writer, const WordList& words, int slot, int from, 
     }
 }
 
-int add_made_of(ArcWriter& writer, Neighbours near, int from) {
+int add_made_last(ArcWriter& writer, int from) {
+    const int to = writer.add_node();
+    writer.join(from, to);
+    const int late = writer.add_element(passive_element(Role::word));
+    for (const std::string_view said : {"made", "is made", "made is"}) {
+        writer.add_arc(from, to, late, {said, "", ErrorCode::word_order, kSlipCost});
+    }
+    return to;
+}
+
+int add_made_of(ArcWriter& writer, Neighbours near, Making making, int from) {
     const int start = near.after_list ? add_repeated_subject(writer, from) : from;
     const int auxiliary = writer.add_node();
     const int participle = writer.add_node();
@@ -128,9 +149,12 @@ int add_made_of(ArcWriter& writer, Neighbours near, int from) {
     // After a list resolve.h settles the number; until then it is a singular as other verbs are.
     const SubjectNumber subject = near.after_list ? SubjectNumber::singular : near.subject;
     add_auxiliary(writer, subject, start, auxiliary);
-    add_participle(writer, auxiliary, participle);
+    add_participle(writer, making, auxiliary, participle);
     add_active(writer, subject, start, participle);
     add_of(writer, participle, preposition);
+    if (making == Making::plain) {
+        add_without_making(writer, auxiliary, preposition);
+    }
     return preposition;
 }
 

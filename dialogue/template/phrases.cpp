@@ -68,11 +68,11 @@ int add_free_determiner(ArcWriter& writer, int from) {
 }
 
 /// Feel with an adjective takes no preposition; and what felt hard may be told so.
-void add_feel(ArcWriter& writer, int verb, int from, int to) {
+void add_feel(ArcWriter& writer, std::string_view word, int verb, int from, int to) {
     const int past = writer.add_element({Role::word});
     writer.add_arc(from, to, past, {"felt", "felt"});
     for (const std::string_view said : {"feels like", "feel like"}) {
-        writer.add_arc(from, to, verb, {said, "feels", ErrorCode::extra_preposition, kSlipCost});
+        writer.add_arc(from, to, verb, {said, word, ErrorCode::extra_preposition, kSlipCost});
     }
 }
 
@@ -93,8 +93,11 @@ void add_verb(ArcWriter& writer, std::string_view word, const VerbForms& forms, 
     if (forms.is_be) {
         writer.add_arc(start, to, verb, {"", word, ErrorCode::missing_verb, kPatternCost});
     }
+    if (word == "is" || word == "are") {
+        add_past_of_be(writer, Element{Role::verb}, word, false, start, to);
+    }
     if (forms.plural == "feel" && near.before_adjective) {
-        add_feel(writer, verb, start, to);
+        add_feel(writer, word, verb, start, to);
     }
 }
 
@@ -132,6 +135,21 @@ int add_repeated_subject(ArcWriter& writer, int from) {
     return to;
 }
 
+void add_past_of_be(ArcWriter& writer, Element element, std::string_view present, bool is_either,
+                    int from, int to) {
+    element.verb = {"was", "were", true};
+    const int past = writer.add_element(std::move(element));
+    const bool is_one = present == "is";
+    const std::string_view own = is_one ? "was" : "were";
+    const std::string_view other = is_one ? "were" : "was";
+    writer.add_arc(from, to, past, {own, own});
+    if (is_either) {
+        writer.add_arc(from, to, past, {other, other});
+    } else {
+        writer.add_arc(from, to, past, {other, own, ErrorCode::agreement, kSlipCost});
+    }
+}
+
 bool is_article(std::string_view word) {
     return word == "a" || word == "an" || word == "the";
 }
@@ -142,7 +160,8 @@ void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, 
         add_article(writer, word, near.noun, from, to);
         return;
     }
-    if (VerbForms forms; understand_verb(word, forms)) {
+    // Behind "a {size}" comes a noun: "a stronger pull".
+    if (VerbForms forms; !near.in_phrase && understand_verb(word, forms)) {
         add_verb(writer, word, forms, near, from, to);
         return;
     }

@@ -17,6 +17,7 @@ namespace fulcrum::dialogue {
 inline constexpr int kSlipCost = 10;
 inline constexpr int kPatternCost = 20;
 inline constexpr int kOtherDegreeCost = 30;
+inline constexpr int kOrderCost = 30;  ///< a missing or a wrong word explains a sentence better
 inline constexpr int kKindCost =
     30;  ///< "apples" for "the apple", before it is known whether that is right
 
@@ -27,6 +28,7 @@ enum class ArticlePolicy : std::uint8_t {
     definite,  ///< the, [the|a|an]: the one that is there; "an apple" passes, and is said back with "the"
     short_answer,  ///< the noun alone is a whole answer: it may go without
     determined,    ///< "my {thing}", "a longer {thing}": its determiner stands before it
+    after_no,      ///< "no {thing}", "enough {thing}": without an article, one or several
 };
 
 /// What is known of the number of a subject that is plain words: "the scissors", "they"; behind "the" it may be a name, "the Earth".
@@ -37,12 +39,16 @@ struct Neighbours {
     bool after_article = false;
     bool after_list = false;
     bool behind_is = false;         ///< right after the verb "is"
+    bool after_no = false;          ///< right after "no", "any", "enough" and their like
     bool in_phrase = false;         ///< after a determiner, with nothing but adjectives between
     bool after_adjective = false;   ///< after <adjective:…> in any degree
     bool before_adjective = false;  ///< before one: "and" joins two, "feels like hard" is wrong
     SubjectNumber subject = SubjectNumber::unknown;  ///< of the word before
     SubjectNumber noun =
         SubjectNumber::unknown;  ///< of the plain noun that an article stands before
+    bool after_it = false;       ///< after <it>
+    bool closes = false;         ///< last of its phrase: the sentence's end or a verb comes next
+    bool before_than = false;    ///< before "than", in brackets or not
     bool begins_phrase =
         true;  ///< at the start or behind a preposition: a noun here has no article before it
 };
@@ -60,8 +66,32 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
 void add_degree(ArcWriter& writer, const WordList& words, int slot, Degree degree,
                 bool after_article, int from, int to);
 
+/// Whether "the heaviest one" may be said for "the heaviest".
+enum class OneToo : std::uint8_t { no, yes };
+
+/// "One", "of all", "of the three" behind a superlative that ends at `from`, rightly; the node behind it.
+int add_of_all(ArcWriter& writer, OneToo one, int from);
+
+/// "Is" behind "than the egg" that ends at `from`, rightly; the node behind it.
+int add_than_is(ArcWriter& writer, int from);
+
+/// What was felt a moment ago may be told so: "the apple was the heaviest" where the template has `present`, is or are.
+/// `is_either`: the subject settles which of was and were is right (resolve.h).
+void add_past_of_be(ArcWriter& writer, Element element, std::string_view present, bool is_either,
+                    int from, int to);
+
+/// "Is" between a comparative that ends at `from` and "than", where it belongs before the comparative; the node behind it.
+int add_late_is(ArcWriter& writer, int from);
+
+/// What may be said for "is made of metal": in `whole` each word may be wrong but "made" is there; `late` also "is of metal made"; `plain`
+/// also "is metal", which is as good, and which behind <it> has a short answer of its own.
+enum class Making : std::uint8_t { whole, late, plain };
+
 /// "is made of", "are made of" after the subject; the node behind it.
-int add_made_of(ArcWriter& writer, Neighbours near, int from);
+int add_made_of(ArcWriter& writer, Neighbours near, Making making, int from);
+
+/// "Made" behind the material that ends at `from`, where it belongs before that; the node behind it.
+int add_made_last(ArcWriter& writer, int from);
 
 /// What something is made of: one of `words` without an article, which fills `slot` unless that is kNone.
 void add_material(ArcWriter& writer, const WordList& words, int slot, int from, int to);

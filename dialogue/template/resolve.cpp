@@ -156,7 +156,11 @@ void count(std::vector<Piece>& pieces, int at) {
         leave_out(pieces, before(pieces, at), noun);
         return;
     }
-    const int number = before(pieces, at);
+    int number = before(pieces, at);
+    while (number != kNone &&
+           describes(lower_case(pieces[static_cast<std::size_t>(number)].right))) {
+        number = before(pieces, number);  // "one small moon"
+    }
     const std::string counted =
         number == kNone ? "" : lower_case(pieces[static_cast<std::size_t>(number)].right);
     // "No moon" is as good as "no moons", and is said back as it was said.
@@ -178,7 +182,8 @@ void count(std::vector<Piece>& pieces, int at) {
     noun.right = noun.element.base;
     noun.number = Number::singular;
     if (number != kNone) {
-        sound_counted(pieces[static_cast<std::size_t>(number)], noun.right);
+        sound_counted(pieces[static_cast<std::size_t>(number)],
+                      pieces[static_cast<std::size_t>(after(pieces, number))].right);
     }
     if (noun.said.empty() || noun.code == ErrorCode::noun_number) {
         noun.code = ErrorCode::none;
@@ -276,9 +281,63 @@ void resolve_noun(std::vector<Piece>& pieces, int at) {
     }
 }
 
+/// Said where nothing belongs: "heavier *is* than", "of metal *made*", "than the egg *is*".
+bool is_late(const Piece& piece) {
+    const bool wrong = piece.code == ErrorCode::word_order;
+    return piece.right.empty() && !piece.said.empty() && piece.element.role == Role::word &&
+           (wrong || piece.code == ErrorCode::none);
+}
+
+/// What `late` says is missing at `verb`.
+bool is_missing_there(const Piece& verb, const std::string& late) {
+    const std::vector<std::string> words = words_of(late);
+    const auto says = [&](std::string_view word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    return verb.code == ErrorCode::missing_verb && verb.said.empty() &&
+           (verb.element.verb.is_be ? says("is") || says("are")
+                                    : verb.element.passive && says(verb.right));
+}
+
+/// A verb that is missing in its place and comes later is one error, of order.
+void settle_order(std::vector<Piece>& pieces, int late) {
+    Piece& piece = pieces[static_cast<std::size_t>(late)];
+    bool moved = false;
+    for (int i = 0; i < late; ++i) {
+        Piece& verb = pieces[static_cast<std::size_t>(i)];
+        if (is_missing_there(verb, piece.said)) {
+            verb.code = moved ? ErrorCode::none : ErrorCode::word_order;
+            verb.cost = moved ? 0 : kOrderCost;
+            moved = true;
+        }
+    }
+    if (moved) {
+        piece.code = ErrorCode::none;
+        piece.cost = 0;
+    }
+}
+
+void resolve_verb(std::vector<Piece>& pieces, int at) {
+    Piece& verb = pieces[static_cast<std::size_t>(at)];
+    if (const auto asked = asked_number(pieces, at)) {
+        agree(verb, *asked, false);
+    } else if (const auto number = subject_number(pieces, at)) {
+        const int noun = before(pieces, at);
+        const ErrorCode error = pieces[static_cast<std::size_t>(noun)].code;
+        agree(verb, *number,
+              error == ErrorCode::noun_number || error == ErrorCode::wrong_pronoun ||
+                  points_in_other_number(pieces, noun));
+    }
+}
+
 }  // namespace
 
 void resolve(std::vector<Piece>& pieces) {
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+        if (is_late(pieces[static_cast<std::size_t>(i)])) {
+            settle_order(pieces, i);
+        }
+    }
     for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
         if (!pieces[static_cast<std::size_t>(i)].right.empty()) {
             part_determiners(pieces, i);
@@ -287,15 +346,7 @@ void resolve(std::vector<Piece>& pieces) {
     for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
         Piece& piece = pieces[static_cast<std::size_t>(i)];
         if (piece.element.role == Role::verb) {
-            if (const auto asked = asked_number(pieces, i)) {
-                agree(piece, *asked, false);
-            } else if (const auto number = subject_number(pieces, i)) {
-                const int noun = before(pieces, i);
-                const ErrorCode error = pieces[static_cast<std::size_t>(noun)].code;
-                agree(piece, *number,
-                      error == ErrorCode::noun_number || error == ErrorCode::wrong_pronoun ||
-                          points_in_other_number(pieces, noun));
-            }
+            resolve_verb(pieces, i);
         } else if (piece.element.role == Role::adjective) {
             resolve_adjective(pieces, i);
         } else if (piece.element.role == Role::noun) {

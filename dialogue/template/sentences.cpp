@@ -1,11 +1,14 @@
 #include "dialogue/template/sentences.h"
 
 #include "dialogue/english/letters.h"
+#include "dialogue/template/phrases.h"
 #include "dialogue/template/resolve.h"
+#include "dialogue/template/slot_entries.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -25,25 +28,6 @@ bool asks(const std::string& sentence) {
 
 const WordList& list_of(const TemplateSet& set, int slot) {
     return set.lists[static_cast<std::size_t>(set.slot_lists[static_cast<std::size_t>(slot)])];
-}
-
-/// The entry that each slot asks for.
-std::vector<int> wanted_items(const TemplateSet& set,
-                              const std::vector<std::pair<std::string, std::string>>& slots) {
-    std::vector<int> wanted(set.slots.size(), 0);
-    for (const auto& [name, value] : slots) {
-        const auto slot = std::find(set.slots.begin(), set.slots.end(), name);
-        if (slot == set.slots.end()) {
-            continue;
-        }
-        const auto number = static_cast<std::size_t>(slot - set.slots.begin());
-        const auto& items = list_of(set, static_cast<int>(number)).items;
-        const auto found =
-            std::find_if(items.begin(), items.end(),
-                         [&, &text = value](const ListItem& item) { return item.value == text; });
-        wanted[number] = found == items.end() ? 0 : static_cast<int>(found - items.begin());
-    }
-    return wanted;
 }
 
 /// The nodes from which the end can be reached, over right arcs only or over all.
@@ -121,18 +105,61 @@ int go_on(const TemplateSet& set, const Graph& graph, const Arc& arc, Sample& sa
 
 }  // namespace
 
-std::vector<Piece> canonical_pieces(const TemplateSet& set, int number,
-                                    const std::vector<std::pair<std::string, std::string>>& slots) {
-    const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
-    const std::vector<int> wanted = wanted_items(set, slots);
-    const auto allowed = [&](const Arc& arc) {
-        if (!arc.canonical) {
-            return false;
+namespace {
+
+/// Without the ending of a form: "stopped", "stops", "turning", "harder".
+std::string_view stem_of(std::string_view word) {
+    constexpr std::size_t kShortestStem = 3;
+    for (const std::string_view ending : {"ing", "ed", "er", "es", "s"}) {
+        const bool is_form = word.ends_with(ending) && !(ending == "s" && word.ends_with("ss"));
+        if (is_form && word.size() >= kShortestStem + ending.size()) {
+            word.remove_suffix(ending.size());
+            break;
         }
-        const int slot = arc.element == kNone
-                             ? kNone
-                             : graph.elements[static_cast<std::size_t>(arc.element)].slot;
-        return slot == kNone || wanted[static_cast<std::size_t>(slot)] == arc.item;
+    }
+    const std::size_t n = word.size();
+    const bool doubled = n > kShortestStem && word[n - 1] == word[n - 2];
+    word.remove_suffix(doubled || (n > kShortestStem && word.back() == 'e') ? 1 : 0);
+    return word;
+}
+
+/// How many words of `arc` were said; articles tell nothing.
+int kept_words(const TemplateSet& set, const Graph& graph, const Arc& arc,
+               const std::vector<std::string>& said) {
+    const auto words = graph.said_by(arc);
+    return static_cast<int>(std::count_if(words.begin(), words.end(), [&](int number) {
+        const std::string& word = set.words.text(number);
+        return !is_article(word) &&
+               std::any_of(said.begin(), said.end(),
+                           [&](const std::string& one) { return alike(word, one); });
+    }));
+}
+
+}  // namespace
+
+bool alike(std::string_view word, std::string_view other) {
+    return word == other || stem_of(word) == stem_of(other);
+}
+
+namespace {
+
+/// The slot that the arc fills, or kNone.
+int slot_of(const Graph& graph, const Arc& arc) {
+    return arc.element == kNone ? kNone
+                                : graph.elements[static_cast<std::size_t>(arc.element)].slot;
+}
+
+}  // namespace
+
+std::vector<Piece> canonical_pieces(const TemplateSet& set, int number,
+                                    const std::vector<std::pair<std::string, std::string>>& slots,
+                                    const std::vector<std::string>& said) {
+    const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
+    const std::vector<int> wanted = wanted_entries(set, slots);
+    const auto allowed = [&](const Arc& arc) {
+        const int slot = slot_of(graph, arc);
+        return arc.canonical &&
+               (slot == kNone || wanted[static_cast<std::size_t>(slot)] == arc.item);
     };
 
     // The named slots must be in it; besides that, the fewest words: a slot is worth more than any sentence is long.
@@ -144,10 +171,10 @@ std::vector<Piece> canonical_pieces(const TemplateSet& set, int number,
         });
     };
     const auto price = [&](const Arc& arc) {
-        const int slot = arc.element == kNone
-                             ? kNone
-                             : graph.elements[static_cast<std::size_t>(arc.element)].slot;
-        return arc.word_count - (slot != kNone && is_named(slot) ? kSlotWorth : 0);
+        const int slot = slot_of(graph, arc);
+        const int kept = slot == kNone ? kept_words(set, graph, arc, said) : 0;
+        // A word that is kept is worth more than it is long.
+        return arc.word_count - 2 * kept - (slot != kNone && is_named(slot) ? kSlotWorth : 0);
     };
     std::vector<int> to_end(static_cast<std::size_t>(graph.nodes()), kFar);
     std::vector<const Arc*> next(static_cast<std::size_t>(graph.nodes()), nullptr);
@@ -230,6 +257,21 @@ std::string_view between(const std::string& text, std::string_view part) {
     return yes || ((first == "no" || first == "sure") && begins_clause(part)) ? ", " : " ";
 }
 
+/// "Hard, smooth and slippery": piece `at` is an adjective of a list of them, right behind another one.
+bool goes_on_listing(const std::vector<Piece>& pieces, int at) {
+    const auto is_listed = [](const Piece& piece) {
+        return piece.element.role == Role::adjective && piece.element.slot != kNone &&
+               piece.element.degree == Degree::positive;
+    };
+    int before = at - 1;
+    while (before >= 0 && pieces[static_cast<std::size_t>(before)].right.empty()) {
+        --before;
+    }
+    return before >= 0 && at < static_cast<int>(pieces.size()) &&
+           is_listed(pieces[static_cast<std::size_t>(before)]) &&
+           is_listed(pieces[static_cast<std::size_t>(at)]);
+}
+
 /// "Can't" and "won't" lose letters.
 void shorten_before(std::string_view right, std::string& text) {
     if (right == "n't" && text.ends_with("an")) {
@@ -246,7 +288,7 @@ std::string render_phrase(const std::vector<Piece>& pieces, PieceRange range) {
     for (int i = range.first; i < range.last; ++i) {
         const std::string& right = pieces[static_cast<std::size_t>(i)].right;
         if (!right.empty()) {
-            text += between(text, right);
+            text += !text.empty() && goes_on_listing(pieces, i) ? ", " : between(text, right);
             shorten_before(right, text);
             text += right == "i" ? "I" : right;
         }
@@ -256,6 +298,11 @@ std::string render_phrase(const std::vector<Piece>& pieces, PieceRange range) {
 
 std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank) {
     const int count = static_cast<int>(pieces.size());
+    // "Does" of "doesn't" is no word of its own.
+    while (mark.first < mark.last && mark.last < count &&
+           pieces[static_cast<std::size_t>(mark.last)].right.starts_with("n't")) {
+        ++mark.last;
+    }
     std::string head = render_phrase(pieces, {0, mark.first});
     std::string middle = render_phrase(pieces, mark);
     const std::string tail = render_phrase(pieces, {mark.last, count});
@@ -265,9 +312,10 @@ std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank
         middle = blank ? std::string(kGap) : "*" + middle + "*";
     }
     std::string text;
-    for (const std::string& part : {head, middle, tail}) {
+    for (const auto& [part, first] :
+         {std::pair{head, 0}, std::pair{middle, mark.first}, std::pair{tail, mark.last}}) {
         if (!part.empty()) {
-            text += between(text, part);
+            text += !text.empty() && goes_on_listing(pieces, first) ? ", " : between(text, part);
             text += part;
         }
     }

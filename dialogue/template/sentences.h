@@ -14,10 +14,15 @@
 namespace fulcrum::dialogue {
 
 /// The pieces of the sentence that a recast gives: canonical forms, what is optional left out, slots as in `slots`
-/// (a slot that isn't named there takes its list's first entry). Nothing is marked as said.
+/// (a slot that isn't named there takes its list's first entry). Nothing is marked as said. Of `said`, lower case, as much is kept as
+/// may be: "to turn" of "harder to turning".
 [[nodiscard]] std::vector<Piece> canonical_pieces(
     const TemplateSet& set, int graph,
-    const std::vector<std::pair<std::string, std::string>>& slots);
+    const std::vector<std::pair<std::string, std::string>>& slots,
+    const std::vector<std::string>& said = {});
+
+/// Forms of one word as far as their letters show: "turn" and "turning", "stop" and "stopped".
+[[nodiscard]] bool alike(std::string_view word, std::string_view other);
 
 /// A range of pieces, [first, last).
 struct PieceRange {

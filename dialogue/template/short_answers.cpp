@@ -11,34 +11,13 @@ namespace {
 
 constexpr std::size_t kMostGraphSlots = 32;  // bits of `Graph::slots`
 
-std::size_t arcs_left(const TemplateSet& set) {
-    std::size_t used = 0;
-    for (const Graph& graph : set.graphs) {
-        used += graph.arcs.size();
-    }
-    return kLargestGraph_arcs - std::min(used, kLargestGraph_arcs);
-}
-
 tl::unexpected<Error> too_large() {
     return fail(concat({"the templates grow beyond ", std::to_string(kLargestGraph_arcs),
                         " arcs; shorten rules or lists"}));
 }
 
 std::uint32_t bit_of(int slot) {
-    return 1U << static_cast<unsigned>(slot);
-}
-
-/// True when a right sentence may have no word at all.
-bool may_be_empty(const Graph& graph) {
-    std::vector<bool> reached(static_cast<std::size_t>(graph.nodes()), false);
-    reached[0] = true;
-    for (const Arc& arc : graph.arcs) {
-        if (arc.word_count == 0 && arc.code == ErrorCode::none &&
-            reached[static_cast<std::size_t>(arc.from)]) {
-            reached[static_cast<std::size_t>(arc.to)] = true;
-        }
-    }
-    return reached.back();
+    return slot == kNone ? 0U : 1U << static_cast<unsigned>(slot);
 }
 
 /// Adds the short answers of one sentence.
@@ -68,14 +47,13 @@ class ShortAnswers {
         if (!bare) {
             return bare;
         }
-        for (const std::string& text :
-             {concat({"<it> <made_of:", reference(slot), ">"}),
-              concat({"<it> is ", reference(slot)}), concat({"[made] of ", reference(slot)})}) {
+        for (const std::string& text : {concat({"<it> <made_of:", reference(slot), ">"}),
+                                        concat({"<it> is ", reference(slot)})}) {
             if (const auto added = add(text, true); !added) {
                 return added;
             }
         }
-        return true;
+        return of_alone(slot);
     }
 
     /// "Hard." "Hard and smooth." "It feels hard and smooth."
@@ -132,6 +110,28 @@ class ShortAnswers {
         Graph bare = writer.finish(start, end);
         bare.slots = bare.required = bit_of(slot);
         keep(std::move(bare), !completed);
+        return true;
+    }
+
+    /// "[made] of metal": with the same errors at the material as the whole sentence has.
+    Expected<bool> of_alone(int slot) {
+        const auto number = static_cast<std::size_t>(slot);
+        const WordList& list = set_.lists[static_cast<std::size_t>(set_.slot_lists[number])];
+        ArcWriter writer(set_, arcs_left(set_));
+        const int start = writer.add_node();
+        const int made = writer.add_node();
+        const int of = writer.add_node();
+        const int end = writer.add_node();
+        writer.join(start, made);
+        add_word(writer, "made", "made", {}, start, made);
+        add_word(writer, "of", "of", {}, made, of);
+        add_material(writer, list, slot, of, end);
+        if (writer.full()) {
+            return too_large();
+        }
+        Graph alone = writer.finish(start, end);
+        alone.slots = alone.required = bit_of(slot);
+        keep(std::move(alone), true);
         return true;
     }
 
@@ -201,7 +201,7 @@ Expected<bool> add_turned_round(TemplateSet& set, int sentence, const FormSlots&
     const int end = writer.add_node();
     add_noun_phrase(writer, set.lists[static_cast<std::size_t>(materials)], subject,
                     ArticlePolicy::bare, start, verb);
-    const int preposition = add_made_of(writer, {.after_list = true}, verb);
+    const int preposition = add_made_of(writer, {.after_list = true}, Making::whole, verb);
     add_noun_phrase(writer, set.lists[static_cast<std::size_t>(things)], object,
                     ArticlePolicy::indefinite, preposition, end);
     if (writer.full()) {
@@ -227,6 +227,26 @@ std::uint32_t asked_slots(const Graph& graph, const FormSlots& forms) {
 }
 
 }  // namespace
+
+std::size_t arcs_left(const TemplateSet& set) {
+    std::size_t used = 0;
+    for (const Graph& graph : set.graphs) {
+        used += graph.arcs.size();
+    }
+    return kLargestGraph_arcs - std::min(used, kLargestGraph_arcs);
+}
+
+bool may_be_empty(const Graph& graph) {
+    std::vector<bool> reached(static_cast<std::size_t>(graph.nodes()), false);
+    reached[0] = true;
+    for (const Arc& arc : graph.arcs) {
+        if (arc.word_count == 0 && arc.code == ErrorCode::none &&
+            reached[static_cast<std::size_t>(arc.from)]) {
+            reached[static_cast<std::size_t>(arc.to)] = true;
+        }
+    }
+    return reached.back();
+}
 
 Expected<BuiltSentence> build_sentence(TemplateSet& set, const ParsedRules& rules,
                                        const std::string& text, SubjectNumber pronoun,
@@ -288,6 +308,29 @@ Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules,
         }
     }
     return true;
+}
+
+void add_counted_answers(TemplateSet& set, const ParsedRules& rules,
+                         const std::vector<std::string>& sentences) {
+    for (std::size_t i = 0; i < sentences.size(); ++i) {
+        const std::string_view sentence = sentences[i];
+        for (const std::string_view head :
+             {"there are ", "there is ", "there (is|are) ", "there (are|is) "}) {
+            const std::string tail(sentence.starts_with(head) ? sentence.substr(head.size()) : "");
+            const bool is_said =
+                std::find(sentences.begin(), sentences.end(), tail) != sentences.end();
+            if (tail.find("<plural:") == std::string::npos || is_said ||
+                arcs_left(set) <= 2 * set.graphs[i].arcs.size()) {
+                continue;
+            }
+            if (auto counted = build_sentence(set, rules, tail)) {
+                counted->graph.short_answer = true;
+                counted->graph.whole_sentence = false;
+                counted->graph.answer = static_cast<int>(i);
+                set.graphs.push_back(std::move(counted->graph));
+            }
+        }
+    }
 }
 
 }  // namespace fulcrum::dialogue

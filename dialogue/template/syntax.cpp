@@ -18,13 +18,6 @@ bool is_name(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), is_name_character);
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    return first == std::string_view::npos
-               ? std::string_view{}
-               : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 /// Recursive descent; kDeepestTemplate bounds the stack. NOLINTBEGIN(misc-no-recursion)
 class Parser {
   public:
@@ -169,11 +162,11 @@ class Parser {
         }
         const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
         const std::size_t colon = std::min(inside.find(':'), inside.size());
-        const std::string_view name = trimmed(inside.substr(0, colon));
+        const std::string_view name = without_blanks(inside.substr(0, colon));
         const std::string_view argument =
-            trimmed(inside.substr(std::min(colon + 1, inside.size())));
+            without_blanks(inside.substr(std::min(colon + 1, inside.size())));
         if (!is_name(name)) {
-            return fail("a name of letters, digits and _ is missing here", start + 1);
+            return no_name(sign, closing, without_blanks(inside), start + 1);
         }
         if (sign == '<' && argument.substr(0, 1) == "{") {
             return form_of_list(holder, name, end);
@@ -191,6 +184,38 @@ class Parser {
         return true;
     }
 
+    /// What stands between < and > or { and } without being a name: mostly a blank where a colon belongs.
+    static tl::unexpected<Error> no_name(char sign, char closing, std::string_view inside,
+                                         int column) {
+        const std::string_view open(&sign, 1);
+        const std::string_view close(&closing, 1);
+        const std::string said = concat({open, inside, close});
+        if (inside.empty()) {
+            return fail(
+                said + (sign == '<' ? " is empty; write a form of grammar with its word, such as "
+                                      "<superlative:heavy>, or the name of a rule"
+                                    : " is empty; write the name of a list, such as {thing}"),
+                column);
+        }
+        const std::size_t blank = inside.find(' ');
+        const std::string_view first = inside.substr(0, blank);
+        const std::string_view rest = blank == std::string_view::npos
+                                          ? std::string_view()
+                                          : without_blanks(inside.substr(blank));
+        if (is_name(first) && (is_name(rest) || rest.starts_with('{'))) {
+            return fail(concat({said, " has a space where a colon belongs; write ", open, first,
+                                ":", rest, close}),
+                        column);
+        }
+        return fail(
+            said + (sign == '<' ? " is no form of grammar and no rule: a name has letters, digits "
+                                  "and _, and its word stands behind a colon, as in "
+                                  "<superlative:heavy>"
+                                : " is no list: a name has letters, digits and _, as in {thing} or "
+                                  "{thing:other}"),
+            column);
+    }
+
     /// <form:{list}> or <form:{list:slot}> from `at_` to `end`; the list becomes the form's child.
     Expected<bool> form_of_list(int holder, std::string_view name, std::size_t end) {
         const int made = add(Kind::rule, column());
@@ -200,7 +225,7 @@ class Parser {
         if (!list) {
             return list;
         }
-        if (at_ > end || !trimmed(text_.substr(at_, end - at_)).empty()) {
+        if (at_ > end || !without_blanks(text_.substr(at_, end - at_)).empty()) {
             return fail("only one {list} may stand in < >; close it with '>'", column());
         }
         node(holder).children.push_back(made);

@@ -229,4 +229,18 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
+std::string words_between_blanks(std::string_view text) {
+    std::string words = " ";
+    for (const Token& token : tokenise(text)) {
+        words += token.text + " ";
+    }
+    return words;
+}
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());
+    return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+}
+
 }  // namespace fulcrum::dialogue

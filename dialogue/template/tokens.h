@@ -29,4 +29,10 @@ struct Token {
 /// The words of `text` without their places.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view text);
 
+/// The same as one text, each word between blanks, " the egg ", in which a word is found by its blanks.
+[[nodiscard]] std::string words_between_blanks(std::string_view text);
+
+/// `text` without the blanks, tabs and ends of lines before and behind it.
+[[nodiscard]] std::string_view without_blanks(std::string_view text);
+
 }  // namespace fulcrum::dialogue

@@ -9,8 +9,6 @@
 namespace fulcrum::dialogue {
 namespace {
 
-constexpr int kOrderCost = 30;  // a missing or a wrong word explains a sentence better
-
 /// What may stand between a verb and its place at the end.
 bool is_copied(const Arc& arc) {
     return arc.code == ErrorCode::none || arc.code == ErrorCode::missing_determiner;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostMeetings = 256;  // along a ray; beyond them it decides nothing
 // From one meeting on to the next, of the ray's length: far above rounding.
-constexpr double kBeyond = 1.0e-12;
+constexpr double kBeyondHit = 1.0e-12;
 // Along no edge, diagonal or axis that a modeller would draw.
 const std::array<Vector3, 3> kDirections{Vector3(0.5721, 0.6133, 0.5447),
                                          Vector3(-0.7039, 0.2917, 0.6477),
@@ -27,7 +27,7 @@ bool leaves_stuff(const CollisionMesh& mesh, const Vector3& at_B, const Vector3&
             break;
         }
         first_side = n++ == 0 ? hit.side : first_side;
-        from += hit.t * (1.0 - from) + kBeyond;
+        from += hit.t * (1.0 - from) + kBeyondHit;
         if (from >= 1.0) {
             break;
         }

@@ -32,7 +32,7 @@ constexpr double kBackOn = 0.02;
 // Of the size: what all touches of a patch weigh at least, so that those at the margin have a mean.
 constexpr double kLeastWeight = 1.0e-6;
 // The same: what is farther than the nearest by less bears with it.
-constexpr double kBeyond = 2.0e-3;
+constexpr double kBeyondRange = 2.0e-3;
 
 std::size_t place_in(int i) noexcept {
     return static_cast<std::size_t>(i);
@@ -255,7 +255,7 @@ class Patches {
   public:
     Patches(std::span<ContactManifold* const> last, const TouchRange& range, double size_m) noexcept
         : margin_m_(range.margin_m),
-          beyond_m_(range.ahead_m + kBeyond * size_m),
+          beyond_m_(range.ahead_m + kBeyondRange * size_m),
           least_m_(kLeastWeight * size_m),
           n_(std::min(static_cast<int>(last.size()), kMostPatches)) {
         for (int i = 0; i < n_; ++i) {

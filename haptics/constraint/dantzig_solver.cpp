@@ -343,8 +343,10 @@ SolveReport DantzigSolver::solve(ContactProblem& problem, std::span<const double
         change = take_bounds();
         ++report_.n_iterations;
     }
-    for (const Row& row : rows_) {
-        done = done && std::isfinite(row.f);
+    // Bounds that never came to agree; and of this problem's rows none may be without a number.
+    done = done && change <= zero_;
+    for (std::size_t i = 0; i < n_; ++i) {
+        done = done && std::isfinite(rows_[i].f);
     }
     report_.n_regularised += done ? 0 : 1;
     keep(problem);

@@ -1,5 +1,6 @@
 #include "haptics/constraint/friction_constraint.h"
 
+#include "haptics/constraint/complementarity.h"
 #include "haptics/constraint/contact_problem.h"
 
 #include <algorithm>
@@ -65,13 +66,14 @@ bool FrictionConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W
 }
 
 void FrictionConstraintSolver::prepare(double size) noexcept {
-    const bool remembers = n_remembered_ == n_;
-    last_ = remembers ? Vector6(last_ * (size_ / size)) : wanted_;
+    const double grown = size_ / size;
+    const bool remembers = n_remembered_ == n_ && std::isfinite(grown);
+    last_ = remembers ? Vector6(last_ * grown) : wanted_;
     for (std::size_t k = 0; k < n_; ++k) {
         Contact& contact = contacts_[k];
         contact.stiffness = 1.0 / (kCompliance * contact.weight);
         contact.least = contact.asked / size;
-        contact.l = remembers ? Vector3(contact.l * (size_ / size)) : Vector3(Vector3::Zero());
+        contact.l = remembers ? Vector3(contact.l * grown) : Vector3(Vector3::Zero());
         contact.bound = contact.friction * contact.l.x();
     }
     n_remembered_ = n_;
@@ -178,8 +180,8 @@ FrictionConstraintSolver::Miss FrictionConstraintSolver::correct(double share) n
         const double drag = c.f.tail<2>().norm();
         const double missed = std::abs(std::min(along, bound) - drag);
         const double length = std::sqrt(c.weight);
-        worst.way = std::max(worst.way, (c.f - c.l).norm() / (c.stiffness * length));
-        worst.bound = std::max(worst.bound, missed * length);
+        worst.way = take_worse(worst.way, (c.f - c.l).norm() / (c.stiffness * length));
+        worst.bound = take_worse(worst.bound, missed * length);
         c.l = c.f;
         c.bound += share * (bound - c.bound);
     }

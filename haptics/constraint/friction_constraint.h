@@ -73,9 +73,9 @@ class FrictionConstraintSolver {
     bool follow(Vector6& y) noexcept;
     void hold(Vector6& y, double enough) noexcept;
     struct Miss {
-        double way = 0.0;    // along contacts that hold
+        double way = 0.0;    // along contacts that hold; no number where a force is none
         double bound = 0.0;  // of friction
-        [[nodiscard]] double most() const noexcept { return way > bound ? way : bound; }
+        [[nodiscard]] double most() const noexcept { return way <= bound ? bound : way; }
     };
     void forget() noexcept;
     void stay() noexcept;

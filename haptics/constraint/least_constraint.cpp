@@ -7,10 +7,14 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kFollows = 1.0e-11;  // a row so near to the others' space follows from them
+// Normals are differences over small gaps: they err by as much as 1e-9, and so do rows of length 1.
+constexpr double kRowError = 4.0e-9;
+// A row whose bound is missed by no more than its error follows from those that act where it is so near to their space: to meet its bound would
+// make of the error this many times as much.
+constexpr double kNearlyFollows = 1.0e-2;
 constexpr double kTouches = 5.0e-14;  // of what is wanted: below it a bound is kept
-constexpr double kContradicts =
-    1.0e-9;  // of what is wanted: a bound that is missed by less is no other bound
+constexpr double kCycles =
+    1.0e-6;  // of what is wanted: rows that err and take each other's place without end are missed by less
 constexpr int kRoundsPerContact =
     4;  // far above what any problem took; a guard against a cycle by rounding
 constexpr int kRoundsAtLeast = 200;
@@ -106,12 +110,12 @@ bool LeastConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W,
     return true;
 }
 
-// False where the row follows from those that act.
-bool LeastConstraintSolver::append(std::size_t k) noexcept {
+// False where no more than `least_rest` of the row is not theirs that act.
+bool LeastConstraintSolver::append(std::size_t k, double least_rest) noexcept {
     Vector6 along;
     const Vector6 rest = remove_from(acting_.Q, acting_.n, row(k), along);
     const double length = rest.norm();
-    if (acting_.n == kMost || length <= kFollows) {
+    if (acting_.n == kMost || length <= least_rest) {
         return false;
     }
     acting_.Q.col(acting_.n) = rest / length;
@@ -129,7 +133,7 @@ void LeastConstraintSolver::drop(int place) noexcept {
     for (int i = 0; i < old.n; ++i) {
         if (i != place) {
             const int now = acting_.n;
-            append(old.which[static_cast<std::size_t>(i)]);
+            append(old.which[static_cast<std::size_t>(i)], 0.0);
             acting_.force[now] = old.force[i];
         }
     }
@@ -156,13 +160,13 @@ Vector6 LeastConstraintSolver::nearest(const Vector6& wanted, Vector6& force) co
     return at;
 }
 
-// Those that acted last act again if all of them push; else nothing acts yet.
+// Those that acted last act again if all of them push and none nearly follows; else nothing acts yet.
 void LeastConstraintSolver::start(const Vector6& wanted) noexcept {
     const Acting before = acting_;
     acting_.n = 0;
     for (int i = 0; i < before.n; ++i) {
         const std::size_t k = before.which[static_cast<std::size_t>(i)];
-        if (k >= n_ || !append(k)) {
+        if (k >= n_ || !append(k, kNearlyFollows)) {
             acting_.n = 0;
             return;
         }
@@ -191,15 +195,20 @@ std::size_t LeastConstraintSolver::find_worst(const Vector6& at, double toleranc
 }
 
 // Goldfarb and Idnani's step 2: contact k begins to act; on the way to its bound those whose force would be a pull cease to. False: no point keeps
-// its bound and those of the others.
-bool LeastConstraintSolver::take(std::size_t k, Vector6& at) noexcept {
+// its bound and those of the others. `error`: how far it may be from what the rows say, for each of them errs; what is
+// no farther from the space of those that act follows from them.
+bool LeastConstraintSolver::take(std::size_t k, double size, Vector6& at, double& error) noexcept {
     double force = 0.0;  // of k
     for (int i = 0; i <= kMost; ++i) {
         Vector6 along;
         const Vector6 rest = remove_from(acting_.Q, acting_.n, row(k), along);
         const Vector6 ratio = solve_upper(acting_.R, acting_.n, along);
         const double square = rest.squaredNorm();
-        const bool follows = acting_.n == kMost || square <= kFollows * kFollows;
+        // What the rows' errors make of the rest.
+        error = kRowError * (1.0 + ratio.head(acting_.n).lpNorm<1>());
+        const double slack = row(k).dot(at) - least_[k];
+        const double within = -slack > error * size ? error : std::max(error, kNearlyFollows);
+        const bool follows = acting_.n == kMost || square <= within * within;
         // Until the first force is none: the partial step.
         double until = std::numeric_limits<double>::infinity();
         int first = -1;
@@ -209,7 +218,6 @@ bool LeastConstraintSolver::take(std::size_t k, Vector6& at) noexcept {
                 first = j;
             }
         }
-        const double slack = row(k).dot(at) - least_[k];
         const double whole =
             follows ? std::numeric_limits<double>::infinity() : std::max(-slack, 0.0) / square;
         const double step = std::min(until, whole);
@@ -224,7 +232,7 @@ bool LeastConstraintSolver::take(std::size_t k, Vector6& at) noexcept {
         ++answer_.rounds;
         if (step == whole) {
             const int place = acting_.n;
-            append(k);
+            append(k, 0.0);
             acting_.force[place] = force;
             return true;
         }
@@ -262,11 +270,18 @@ const LeastConstraint& LeastConstraintSolver::solve(const Vector6& wanted) noexc
         if (answer_.rounds > most) {
             return give_up();
         }
-        if (!take(worst, at)) {
-            if (missed > kContradicts * size) {
+        if (2 * answer_.rounds > most && missed <= kCycles * size) {
+            tolerance = 2.0 * missed;
+            continue;
+        }
+        const Acting before = acting_;
+        double error = 0.0;
+        if (!take(worst, size, at, error)) {
+            if (missed > error * size) {
                 return give_up();
             }
-            tolerance = 2.0 * missed;  // it follows from those that act, but for their rounding
+            acting_ = before;          // some may have ceased to act in vain
+            tolerance = 2.0 * missed;  // it follows from those that act, but for the rows' error
         }
         // By the contacts that act alone, so that no rounding of the way is kept.
         at = nearest(y, acting_.force);

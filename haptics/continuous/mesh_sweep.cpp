@@ -18,8 +18,12 @@ void sweep_leaves(const SweptMesh& fixed, const SweptMesh& moving, const InBetwe
             const TriangleSweep told = sweep_triangles(
                 motion, fixed.triangle(i), MovingTriangle::of(motion, moving.triangle(j)), settings,
                 leaves.begin, leaves.end);
-            const bool is_first =
-                found.outcome == SweepOutcome::free || told.contact.time < found.contact.time;
+            // Of what touches at the beginning and what crosses there the latter is told.
+            const bool is_first = found.outcome == SweepOutcome::free ||
+                                  told.contact.time < found.contact.time ||
+                                  (told.outcome == SweepOutcome::overlapping &&
+                                   found.outcome == SweepOutcome::touching &&
+                                   !(told.contact.time > found.contact.time));
             if (told.outcome != SweepOutcome::free && is_first) {
                 found.outcome = told.outcome;
                 found.contact = told.contact;
@@ -45,8 +49,8 @@ MeshSweep sweep_meshes(const SweptMesh& fixed, const SweptMesh& moving,
         if (found.outcome == SweepOutcome::free) {
             return end;
         }
-        // Nothing is earlier than the beginning.
-        return found.contact.time > 0.0 ? std::min(end, found.contact.time) : -1.0;
+        // Nothing comes before an overlap; beside what touches at the beginning others may cross.
+        return found.outcome == SweepOutcome::touching ? std::min(end, found.contact.time) : -1.0;
     });
     found.n_box_pairs = descent.n_box_pairs();
     if (!is_whole) {

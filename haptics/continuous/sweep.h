@@ -2,7 +2,7 @@
 //
 // What is promised, of surfaces (nobody knows here what is inside), with the distance at time t called g(t):
 //   free        g(t) > touch for all t of the way
-//   touching    at `time`: g > touch before it, and touch < g <= touch + tolerance at it, so a body put there is still apart
+//   touching    at `time`: g > touch before it, and touch < g <= touch + tolerance at it, so a body put there is still apart; or at 0, if 0 < g <= touch there
 //   overlapping at the beginning of the way they have a point in common already, or are so near that nothing can tell
 // So nothing is ever missed, and what is reported and was none came within the tolerance, but for one end: a search by intervals that would take more
 // than kMostPieces pieces of time (interval_sweep.h) tells a contact where it has come to, nearer than the tolerance or not; too early, never too

@@ -133,6 +133,14 @@ int find_last_look(const IntegratorSettings& settings) noexcept {
     return settings.newton_iterations > 1 ? settings.newton_iterations : 0;
 }
 
+// What look `i` has to know: the first one solves; a later one may show that no more is needed.
+Wanted find_wanted(int i, int last) noexcept {
+    if (i > 0) {
+        return Wanted::residual;
+    }
+    return last > 0 ? Wanted::matrix_too : Wanted::matrix_from_rest;
+}
+
 // Whether a whole step of Newton by `change`, from a residual of `before` to one of `after`, is lost in the loads' rounding. Steps
 // that go on a little are none too many: a tool that is let go gets away from what brakes by such. `n_slow` counts them.
 bool is_lost(const IntegratorSettings& settings, double dt_s, bool is_whole, const Vector6& change,
@@ -189,10 +197,9 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     int n_slow = 0;
     StepResult result{StepStatus::iterations_spent, 0};
     const int last = find_last_look(settings);
-    const Wanted at_first = last > 0 ? Wanted::matrix_too : Wanted::matrix_from_rest;
     for (int i = 0; i <= last; ++i) {
         const Twist velocity = add(base, change);
-        Guess guess = evaluate(step, settings, velocity, i > 0 ? Wanted::residual : at_first);
+        Guess guess = evaluate(step, settings, velocity, find_wanted(i, last));
         if (!guess.residual.allFinite()) {
             return {StepStatus::not_finite, result.n_solves};
         }

@@ -4,8 +4,8 @@
 // piece becomes a node over the nodes of those that became it: a level. When no edge may end any more, what is left is put together in pairs
 // by place. Each node tells, of the piece of the simplified surface that it is:
 //   r     resolution, 1/m: 1 / the longest edge that ended before the level
-//   s     deviation: how far its hull stands out of the mesh, by points of the hull's faces that are in front of the mesh's nearest triangle; no more
-//         of a face than 15, and above a tenth of the diagonal no longer measured. 0 of what is convex
+//   s     deviation: how far its hull stands out of the mesh, by points of the hull's faces that are in front of the mesh's nearest triangle; 3 to 12
+//         of a face, and above a tenth of the diagonal no longer measured. 0 of what is convex
 //   D     support area: how much of the mesh around lies within d of a plane that touches it there, by the mean over the leaves below of the area,
 //         in the tangent plane, of the triangles in one piece with a corner and no deeper than d below it (256 at most)
 //   phi   s / r^2, the volume of the detail that was taken away; infinite of a node that was put together by place: it stands for nothing

@@ -50,6 +50,19 @@ class BlendedSimplex {
         return nearest;
     }
     [[nodiscard]] bool holds_origin() const noexcept { return count_ == 4; }
+    // Four that hold the origin.
+    void tell_held(HullPair& pair) const noexcept {
+        constexpr double kFlat = 1.0e-6;  // of the edges' box: as good as in a plane
+        for (std::size_t i = 0; i < 4; ++i) {
+            pair.held[i] = corners_[i].way;
+        }
+        const Vector3 a = pair.held[1] - pair.held[0];
+        const Vector3 b = pair.held[2] - pair.held[0];
+        const Vector3 c = pair.held[3] - pair.held[0];
+        const double volume = a.cross(b).dot(c);
+        pair.is_held =
+            volume * volume > kFlat * kFlat * a.squaredNorm() * b.squaredNorm() * c.squaredNorm();
+    }
     void tell(HullPair& pair) const noexcept {
         pair.on_first.setZero();
         pair.on_second.setZero();
@@ -283,6 +296,7 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
         v = simplex.reduce(is_careful);
         if (simplex.holds_origin()) {
             simplex.tell(pair);
+            simplex.tell_held(pair);
             pair.gap_m = 0.0;
             pair.least_m = 0.0;
             return pair;

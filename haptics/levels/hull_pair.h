@@ -56,6 +56,8 @@ struct HullPair {
     double gap_m = 0.0;    ///< |v|: not less than the distance
     double least_m = 0.0;  ///< not more than the distance, 0 where they meet
     bool is_far = false;   ///< ended early: farther apart than asked for, the points are not told
+    bool is_held = false;  ///< they meet, and `held` are points of D that span a volume round 0
+    std::array<Vector3, 4> held;  ///< else whatever was there
 };
 
 /// Where climbs begin, and where they ended: a search that is repeated begins there.

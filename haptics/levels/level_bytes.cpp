@@ -284,13 +284,14 @@ std::shared_ptr<const ContactLevels> ContactLevelsBytes::read(ByteReader& reader
     return levels;
 }
 
-// The spans of the leaves hold every triangle, and their hulls its corners.
+// The spans of the leaves hold every triangle once, and their hulls its corners.
 bool ContactLevelsBytes::holds_triangles(const ContactLevels& levels, const TriangleMesh& mesh) {
     const double rounding_m = kLevelRounding * mesh.diagonal_m();
     if (levels.triangles_.size() != mesh.triangles().size() ||
         std::abs(levels.size_m_ - 0.5 * mesh.diagonal_m()) > rounding_m) {
         return false;
     }
+    std::vector<bool> is_held(levels.triangles_.size(), false);
     std::size_t n_held = 0;
     double reach_m = 0.0;
     for (std::size_t i = 0; i < levels.nodes_.size(); ++i) {
@@ -302,6 +303,10 @@ bool ContactLevelsBytes::holds_triangles(const ContactLevels& levels, const Tria
         const auto triangles = levels.triangles_of(node);
         n_held += triangles.size();
         for (const std::int32_t triangle : triangles) {
+            if (is_held[static_cast<std::size_t>(triangle)]) {
+                return false;
+            }
+            is_held[static_cast<std::size_t>(triangle)] = true;
             for (const std::int32_t corner : mesh.triangles()[static_cast<std::size_t>(triangle)]) {
                 const Vector3& place = mesh.vertices_B()[static_cast<std::size_t>(corner)];
                 reach_m = std::max(reach_m, place.norm());

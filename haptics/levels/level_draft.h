@@ -32,8 +32,8 @@ struct LevelDraft {
     /// Where what is below looks: the mean of means, and how far the farthest of theirs is from it.
     void look_as(std::span<const LevelDraft* const> below);
     void find_sphere();
-    /// How far the faces stand out of a surface, in front of it: by points of each, no farther from each other than `apart_m` nor, of the longest
-    /// side, a quarter. Ends where it is above `enough_m`.
+    /// How far the faces stand out of a surface, in front of it, as measured at 3 to 12 samples each: on a grid of its longest side by `apart_m` parts,
+    /// 2 to 4 of them. Less than it is by no more than samples are apart. Ends where it is above `enough_m`.
     [[nodiscard]] double measure_bulge_m(const SurfaceDistance& surface, double apart_m,
                                          double enough_m) const;
     /// How far the farthest of the corners is out of the hull.

@@ -7,9 +7,9 @@
 //                A volume of detail phi, spread over the contact area D, is a layer s* thick. This is the source's condition. Ours adds
 //                  s_a + s_b <= min(s0, d), and all of one of them looks one way within 60 degrees
 //   is refined   else: of the two the one that only bounds, then that of more phi, gives way to its children
-// A patch tells of its two hulls, in one piece of work, whatever is below. These hold the meshes below them and stand out of them by s at most, so
-//   distance of the meshes - (s_a + s_b) <= distance told <= distance of the meshes
-// and a tolerance lets nothing through: it moves surfaces out, by s0 or d at most. A tool on a coupling of k N/m is so felt off by k s0 where it is
+// A patch tells of its two hulls, in one piece of work, whatever is below. These hold the meshes below them and stand out of them by s, as measured at
+// 3 to 12 samples a face (contact_levels.h): distance of the meshes - (s_a + s_b) <= distance told <= distance of the meshes, the first as measured
+// and a tolerance lets nothing through: it moves surfaces out, by s0 or d as measured. A tool on a coupling of k N/m is so felt off by k s0 where it is
 // pressed on something flat; where it snaps from place to place by more. Where hulls overlap depth is that of the hulls.
 //
 // With a budget what was deepest in the last question is refined first, then what has the greatest s*, as long as there is time to tell a patch of
@@ -63,7 +63,7 @@ struct LevelContact {
     Vector3 point_O{Vector3::Zero()};    ///< on the tool
     Vector3 normal_O{Vector3::UnitY()};  ///< unit, out of the object
     double depth_m = 0.0;                ///< below 0: so far apart
-    double error_m = 0.0;                ///< s_a + s_b: by how much it may be told too near
+    double error_m = 0.0;  ///< s_a + s_b, as measured: by how much it may be told too near
 };
 
 /// How a question went.
@@ -74,11 +74,14 @@ struct LevelAnswer {
     int n_looked_at = 0;   ///< pairs whose distance was asked for
     int n_kept = 0;        ///< pairs of the tree
     int n_patches = 0;     ///< pairs that were told of
-    // Where time was up. Times a contact's stiffness both lengths are bounds of its force's error.
+    // Where time was up. Of hulls that are apart a contact that pushes by k N/m from d outside on pushes too hard by k error_m at most. One that was
+    // left out would push by k (d + its depth): that is no more than d where one lies behind the other, else left_m by the shortest
+    // way out, and four times that where another way is told (pair_contacts.cpp).
     int n_coarser = 0;  ///< patches told coarser than was asked for
     int n_left = 0;     ///< pairs left out
     double left_m =
-        0.0;  ///< how deep the deepest of what was left out may be, by spheres round its hulls
+        0.0;  ///< how far the deepest of what was left out may have to be moved to part,
+              ///< by spheres round its hulls
     bool is_late = false;  ///< longer than the budget
     /// More pairs or contacts than there is room for: some are left out.
     bool is_cut = false;

@@ -26,10 +26,60 @@ bool is_in_cone(const LevelNode& node, const Vector3& normal, const Vector3& dir
     return normal.dot(direction) >= length * (node.cone_cosine * kWiderCosine - sine * kWiderSine);
 }
 
+// A hull's points as `find_far_corner` asks for them: each one's height along a direction, and some few of them themselves.
+struct PointsAsTheyAre {
+    std::span<const Vector3> points;
+    Vector3 up;
+    [[nodiscard]] double height_m(std::size_t i) const noexcept { return up.dot(points[i]); }
+    [[nodiscard]] const Vector3& operator()(std::size_t i) const noexcept { return points[i]; }
+};
+struct PlacedPoints {
+    const PlacedHull& hull;
+    Vector3 up;
+    [[nodiscard]] double height_m(std::size_t i) const noexcept { return up.dot(hull.point(i)); }
+    [[nodiscard]] Vector3 operator()(std::size_t i) const noexcept { return hull.point(i); }
+};
+// Of many: heights in their own frame, for most are not in the band.
+struct TurnedPoints {
+    std::span<const Vector3> points;
+    const PlacedHull& hull;
+    Vector3 up_B;
+    double origin_m;
+    [[nodiscard]] double height_m(std::size_t i) const noexcept {
+        return origin_m + up_B.dot(points[i]);
+    }
+    [[nodiscard]] Vector3 operator()(std::size_t i) const noexcept { return hull.point(i); }
+};
+
 }  // namespace
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled as far as there are points
+PlacedHull::PlacedHull(const HullView& hull, const Matrix3& turn, const Vector3& shift) noexcept
+    : hull_(hull), turn_(turn), shift_(shift), is_large_(hull.points.size() > kClimbFrom) {
+    if (is_large_) {
+        return;
+    }
+    for (std::size_t i = 0; i < hull.points.size(); ++i) {
+        points_[i] = place(hull.points[i]);
+    }
+    placed_.points = std::span(points_).first(hull.points.size());
+}
+
+HullPair PlacedHull::find_nearest(const Vector3& point, const Vector3& start, double enough_m,
+                                  std::int32_t at) const noexcept {
+    if (!is_large_) {
+        return find_nearest_in_hull(placed_, point, start, enough_m);
+    }
+    HullPair near = find_nearest_in_hull(hull_, turn_.transpose() * (point - shift_),
+                                         turn_.transpose() * start, enough_m, at);
+    near.on_first = place(near.on_first);
+    return near;
+}
+
 PairContacts::PairContacts(const PiecesNear& pieces, const HullPair& found) noexcept
-    : pieces_(pieces), tool_normal_(pieces.turn * pieces.tool.normal_B) {
+    : pieces_(pieces),
+      tool_(pieces.tool_hull, pieces.turn, pieces.shift),
+      tool_normal_(pieces.turn * pieces.tool.normal_B) {
     const double least_m = 1.0e-7 * (pieces.object.radius_m + pieces.tool.radius_m);
     bool is_behind = false;
     if (found.gap_m > least_m) {
@@ -42,7 +92,7 @@ PairContacts::PairContacts(const PiecesNear& pieces, const HullPair& found) noex
             depth_m_ = found.gap_m;
         }
     } else {
-        find_way_out();
+        find_way_out(found);
     }
     if (!has_such_normal()) {
         return;
@@ -79,20 +129,22 @@ void PairContacts::add_nearest(const PairPoint& point, bool do_meet) noexcept {
 }
 
 double PairContacts::measure_depth_m(const Vector3& normal) const noexcept {
-    return -measure_along(pieces_.object_hull, pieces_.tool_hull, pieces_.turn, pieces_.shift,
-                          normal);
+    return normal.dot(pieces_.object_hull.find_support(normal)) -
+           normal.dot(tool_.find_support(-normal));
 }
 
 // The way of least translation, where both surfaces look so or end in an edge that does; else of the ways in which they look the least, unless
 // that is far longer: then they cross at a border, and the contact is a neighbour's.
-void PairContacts::find_way_out() noexcept {
+void PairContacts::find_way_out(const HullPair& found) noexcept {
     constexpr double kFarLonger = 4.0;
     HullCorners at = pieces_.corners;
-    normal_ = find_convex_depth([&](const Vector3& d) noexcept {
-                  return Vector3(pieces_.turn * pieces_.tool_hull.find_support(
-                                                    pieces_.turn.transpose() * d, at.second) +
-                                 pieces_.shift - pieces_.object_hull.find_support(-d, at.first));
-              }).normal;
+    const auto find_support = [&](const Vector3& d) noexcept {
+        return Vector3(tool_.find_support(d, at.second) -
+                       pieces_.object_hull.find_support(-d, at.first));
+    };
+    normal_ = (found.is_held ? find_convex_depth(find_support, found.held)
+                             : find_convex_depth(find_support))
+                  .normal;
     depth_m_ = measure_depth_m(normal_);
     if (has_such_normal()) {
         return;
@@ -143,25 +195,19 @@ bool PairContacts::has_such_normal() const noexcept {
            is_in_cone(pieces_.tool, tool_normal_, -normal_);
 }
 
-template <class ToObject>
-bool PairContacts::find_far_corner(const HullView& hull, double lowest_m, double sign,
-                                   const ToObject& to_object, Vector3& corner) const noexcept {
+template <class PointAt>
+bool PairContacts::find_far_corner(std::size_t n_points, double lowest_m, const PointAt& point_at,
+                                   Vector3& corner) const noexcept {
     double farthest2 = pieces_.spread_m * pieces_.spread_m;
     double lowest_seen_m = std::numeric_limits<double>::infinity();
     bool is_found = false;
     const double band_m = pieces_.within_m + std::max(depth_m_, 0.0);
-    const Vector3 origin = to_object(Vector3(Vector3::Zero()));
-    const double origin_m = sign * normal_.dot(origin);
-    // In the hull's own frame: most are not in the band.
-    const Vector3 up = sign * Vector3(normal_.dot(to_object(Vector3::UnitX()) - origin),
-                                      normal_.dot(to_object(Vector3::UnitY()) - origin),
-                                      normal_.dot(to_object(Vector3::UnitZ()) - origin));
-    for (const Vector3& point : hull.points) {
-        const double height_m = origin_m + up.dot(point);
+    for (std::size_t i = 0; i < n_points; ++i) {
+        const double height_m = point_at.height_m(i);
         if (height_m > lowest_m + band_m) {
             continue;
         }
-        const Vector3 place = to_object(point);
+        const Vector3 place = point_at(i);
         // The first is the deepest; of both ends of an edge, the first.
         if (n_tried_ == 0) {
             if (height_m < lowest_seen_m - kAsDeep * pieces_.within_m) {
@@ -172,8 +218,8 @@ bool PairContacts::find_far_corner(const HullView& hull, double lowest_m, double
             continue;
         }
         double nearest2 = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < n_tried_; ++i) {
-            nearest2 = std::min(nearest2, (place - tried_[i]).squaredNorm());
+        for (std::size_t k = 0; k < n_tried_; ++k) {
+            nearest2 = std::min(nearest2, (place - tried_[k]).squaredNorm());
         }
         if (nearest2 > farthest2) {
             farthest2 = nearest2;
@@ -188,15 +234,22 @@ void PairContacts::add_corners_of_tool() noexcept {
     if (2.0 * pieces_.tool.radius_m < pieces_.spread_m) {
         return;
     }
-    const auto to_object = [this](const Vector3& point) noexcept {
-        return Vector3(pieces_.turn * point + pieces_.shift);
-    };
-    const double lowest_m =
-        normal_.dot(to_object(pieces_.tool_hull.find_support(pieces_.turn.transpose() * -normal_)));
+    if (tool_.is_large()) {
+        add_corners_of_tool(TurnedPoints{pieces_.tool_hull.points, tool_,
+                                         pieces_.turn.transpose() * normal_,
+                                         normal_.dot(pieces_.shift)});
+    } else {
+        add_corners_of_tool(PlacedPoints{tool_, normal_});
+    }
+}
+
+template <class PointAt>
+void PairContacts::add_corners_of_tool(const PointAt& point_at) noexcept {
+    const double lowest_m = normal_.dot(tool_.find_support(-normal_));
     const double highest_m = normal_.dot(pieces_.object_hull.find_support(normal_));
     Vector3 corner;
     for (std::size_t i = 0; i < kCorners; ++i) {
-        if (!find_far_corner(pieces_.tool_hull, lowest_m, 1.0, to_object, corner)) {
+        if (!find_far_corner(tool_.size(), lowest_m, point_at, corner)) {
             return;
         }
         tried_[n_tried_++] = corner;
@@ -218,24 +271,21 @@ void PairContacts::add_corners_of_object() noexcept {
     if (2.0 * pieces_.object.radius_m < pieces_.spread_m) {
         return;
     }
-    const auto to_object = [](const Vector3& point) noexcept { return point; };
+    const PointsAsTheyAre point_at{pieces_.object_hull.points, -normal_};
     const double highest_m = normal_.dot(pieces_.object_hull.find_support(normal_));
-    const double lowest_m = normal_.dot(
-        pieces_.turn * pieces_.tool_hull.find_support(pieces_.turn.transpose() * -normal_) +
-        pieces_.shift);
+    const double lowest_m = normal_.dot(tool_.find_support(-normal_));
     Vector3 corner;
     for (std::size_t i = 0; i < kCorners; ++i) {
-        if (!find_far_corner(pieces_.object_hull, -highest_m, -1.0, to_object, corner)) {
+        if (!find_far_corner(point_at.points.size(), -highest_m, point_at, corner)) {
             return;
         }
         tried_[n_tried_++] = corner;
-        const HullPair near = find_nearest_in_hull(
-            pieces_.tool_hull, pieces_.turn.transpose() * (corner - pieces_.shift),
-            pieces_.turn.transpose() * -normal_, pieces_.within_m, pieces_.corners.second);
+        const HullPair near =
+            tool_.find_nearest(corner, -normal_, pieces_.within_m, pieces_.corners.second);
         if (near.is_far) {
             continue;
         }
-        const Vector3 on_tool = pieces_.turn * near.on_first + pieces_.shift;
+        const Vector3& on_tool = near.on_first;
         if (near.gap_m == 0.0) {
             const double depth_m = normal_.dot(corner) - lowest_m;
             points_[n_++] = {corner - depth_m * normal_, depth_m};

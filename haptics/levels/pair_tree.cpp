@@ -142,6 +142,10 @@ bool PairTree::divide(std::int32_t pair) noexcept {
 }
 
 void PairTree::learn_from_children(std::int32_t pair, bool may_measure) noexcept {
+    // What was opened more than once may have let go of them: it knows by itself how far it is.
+    if (at(pair).first_child == kNone) {
+        return;
+    }
     double least_m = kFarAway;
     float told_m = kNothing;
     bool are_ends = true;

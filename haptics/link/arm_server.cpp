@@ -186,6 +186,8 @@ void ArmServer::read_arm() noexcept {
         sensor_.forget();
         velocity_.reset();
         angular_velocity_.reset();
+        way_.reset();
+        turn_way_.reset();
     }
     reading_ = reading;
     has_pose_ = true;
@@ -196,6 +198,8 @@ void ArmServer::read_arm() noexcept {
 }
 
 void ArmServer::count_energy() noexcept {
+    way_.step(motion_D_, dt_s_);
+    turn_way_.step(turn_D_, dt_s_);
     force_.step(applied_D_.force, motion_D_, command_.given.force_J, dt_s_);
     torque_.step(applied_D_.torque, turn_D_, command_.given.torque_J, dt_s_);
 }
@@ -214,8 +218,24 @@ Wrench ArmServer::brake() noexcept {
     const double hold_s = std::max(dt_s_, 1.0 / settings_.rate_Hz);
     const double most = settings_.handle_mass_kg / (kBrakeShare * hold_s);
     const double most_turning = settings_.handle_inertia_kg_m2 / (kBrakeShare * hold_s);
-    return {motion_D_ * (-share * force_.compute_damping(motion_D_, dt_s_, most) / dt_s_),
-            turn_D_ * (-share * torque_.compute_damping(turn_D_, dt_s_, most_turning) / dt_s_)};
+    const Vector3 velocity = way_.velocity();
+    const Vector3 turning = turn_way_.velocity();
+    return {velocity * (-share * force_.compute_damping(velocity * dt_s_, dt_s_, most)),
+            turning * (-share * torque_.compute_damping(turning * dt_s_, dt_s_, most_turning))};
+}
+
+// After packets that were lost the arm catches up with the program no faster than the program's own gate goes; this side's gate knows its
+// own limits alone. What waits must be calm by itself, and what fades follows nothing.
+Wrench ArmServer::approach(const Wrench& wanted) const noexcept {
+    if (gate_.phase() != GatePhase::rising && gate_.phase() != GatePhase::open) {
+        return wanted;
+    }
+    const double reach_N = command_.max_slew_N_per_s * std::clamp(dt_s_, 0.0, kLongestStep_s);
+    const double torque_per_force_m =
+        command_.max_force_N > 0.0 ? command_.max_torque_Nm / command_.max_force_N : 0.0;
+    return {applied_D_.force + shorten<3>(wanted.force - applied_D_.force, reach_N),
+            applied_D_.torque +
+                shorten<3>(wanted.torque - applied_D_.torque, reach_N * torque_per_force_m)};
 }
 
 // Whatever was asked for, what leaves here has passed the gate.
@@ -225,13 +245,15 @@ void ArmServer::drive() noexcept {
         const Wrench braked = brake();
         const Wrench asked{shorten(command_.wrench_D.force, command_.max_force_N),
                            shorten(command_.wrench_D.torque, command_.max_torque_Nm)};
-        const Wrench left = settings_.balances_energy
-                                ? Wrench{force_.hold_back(asked.force, motion_D_),
-                                         torque_.hold_back(asked.torque, turn_D_)}
-                                : asked;
+        const Wrench left =
+            settings_.balances_energy
+                ? Wrench{force_.hold_back(asked.force, way_.velocity() * dt_s_),
+                         torque_.hold_back(asked.torque, turn_way_.velocity() * dt_s_)}
+                : asked;
         // The brake has no limit of its own: what finds no room below the program's stays a debt, and is braked later.
-        wanted = {shorten<3>(left.force + braked.force, command_.max_force_N * kUnderLimit),
-                  shorten<3>(left.torque + braked.torque, command_.max_torque_Nm * kUnderLimit)};
+        wanted = approach(
+            {shorten<3>(left.force + braked.force, command_.max_force_N * kUnderLimit),
+             shorten<3>(left.torque + braked.torque, command_.max_torque_Nm * kUnderLimit)});
     }
     const GatePhase before = gate_.phase();
     const bool acted = !is_zero(applied_D_);

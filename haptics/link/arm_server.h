@@ -6,7 +6,7 @@
 // (loop/hand_guard.h), when a sensor is frozen or shakes (sensor_guard.h),
 // and when somebody here presses stop. Where the link has given the hand more than the scene put in, the
 // hand is braked and what would give it more is left out (energy_balance.h); soon after nothing is asked for, nothing brakes it.
-// Command and brake together stay within the least of this side's limits and the command's.
+// Command and brake together stay within the least of this side's limits and the command's, and so does how fast they change.
 //
 // Sessions. While nobody holds the arm, a command that names the number this side speaks under now makes its sender the holder:
 // the number was drawn at random, so the command cannot be older. Others get a welcome that says taken. After lost_after_s without
@@ -21,11 +21,12 @@
 #include "haptics/base/periodic_task.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/device/device.h"
+#include "haptics/device/watched/sensor_guard.h"
 #include "haptics/handover/channels.h"
 #include "haptics/handover/latest_value.h"
 #include "haptics/link/energy_balance.h"
 #include "haptics/link/link_post.h"
-#include "haptics/link/sensor_guard.h"
+#include "haptics/link/seen_way.h"
 #include "haptics/loop/hand_guard.h"
 #include "haptics/loop/safety.h"
 
@@ -107,6 +108,7 @@ class ArmServer final : public PeriodicTask {
     void forget_holder() noexcept;
     void count_energy() noexcept;
     [[nodiscard]] Wrench brake() noexcept;
+    [[nodiscard]] Wrench approach(const Wrench& wanted) const noexcept;
     void drive() noexcept;
     void tell_state() noexcept;
     void publish() noexcept;
@@ -149,6 +151,8 @@ class ArmServer final : public PeriodicTask {
     DeviceReading reading_{};
     Vector3 motion_D_{Vector3::Zero()};  // of this round
     Vector3 turn_D_{Vector3::Zero()};
+    SeenWay way_;  // of the hand
+    SeenWay turn_way_;
     Wrench applied_D_{};
     EnergyBalance force_;
     EnergyBalance torque_;

@@ -29,15 +29,6 @@ SafetySettings limits_of(const ArmServerSettings& settings, const DeviceTraits& 
 
 }  // namespace
 
-Expected<void> validate(const SensorLife& s) {
-    const Range ranges[] = {
-        {"trembles_within_s", s.trembles_within_s, 0.0, 1.0},
-        {"moves_at_N", s.moves_at_N, 0.0, 10.0},
-        {"most_m_per_s2", s.most_m_per_s2, 0.0, 1.0e4},
-    };
-    return check_ranges("the arm's sensor setting", ranges);
-}
-
 Expected<void> validate(const ArmServerSettings& s) {
     const Range ranges[] = {
         {"rate_Hz", s.rate_Hz, 500.0, 2000.0},

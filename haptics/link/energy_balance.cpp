@@ -11,15 +11,35 @@ constexpr double kSmallestSquare = 1.0e-24;  // of a motion or a force: nothing 
 constexpr double kBorne_J =
     5.0e-4;  // a debt that the brake pays alone; with twice that nothing more is given
 
+constexpr double kLongestMean_s = 0.05;  // of the force along a motion that shows late
+
 }  // namespace
+
+Vector3 EnergyBalance::find_mean_force(const Vector3& force, const Vector3& motion,
+                                       double dt_s) noexcept {
+    if (motion.isZero(0.0)) {
+        // No longer than the longest: what is older counts less.
+        const double room_s = std::max(kLongestMean_s - dt_s, 0.0);
+        const double kept = waited_s_ > room_s ? room_s / waited_s_ : 1.0;
+        impulse_ = impulse_ * kept + force * dt_s;
+        waited_s_ = waited_s_ * kept + dt_s;
+        return force;
+    }
+    const Vector3 mean =
+        waited_s_ > 0.0 ? Vector3((impulse_ + force * dt_s) / (waited_s_ + dt_s)) : force;
+    impulse_.setZero();
+    waited_s_ = 0.0;
+    return mean;
+}
 
 void EnergyBalance::step(const Vector3& force, const Vector3& motion, double heard_J,
                          double dt_s) noexcept {
-    const double to_hand_J = force.dot(motion);
-    if (!std::isfinite(to_hand_J) || !std::isfinite(heard_J) || !(dt_s > 0.0)) {
+    if (!force.allFinite() || !motion.allFinite() || !std::isfinite(heard_J) || !(dt_s > 0.0)) {
         return;
     }
-    const double gave_J = side_ == LinkSide::scene ? to_hand_J : -to_hand_J;
+    const double sign = side_ == LinkSide::scene ? 1.0 : -1.0;
+    const double gave_J =
+        std::min(sign * force.dot(motion), sign * find_mean_force(force, motion, dt_s).dot(motion));
     const double news_J = std::max(heard_J - heard_J_, 0.0);
     heard_J_ = std::max(heard_J, heard_J_);
     // Credit is forgotten, a debt never; and what is put in here pays it first, which the other side is not told: a brake that takes back
@@ -36,6 +56,8 @@ void EnergyBalance::reset() noexcept {
     gave_J_ = 0.0;
     heard_J_ = 0.0;
     balance_J_ = 0.0;
+    impulse_.setZero();
+    waited_s_ = 0.0;
 }
 
 double EnergyBalance::compute_damping(const Vector3& motion, double dt_s,

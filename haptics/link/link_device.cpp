@@ -229,6 +229,7 @@ bool LinkDevice::write(double now_s, const Wrench& wrench_D) noexcept {
     packet.command.wrench_D = wrench_D;
     packet.command.max_force_N = settings_.max_force_N;
     packet.command.max_torque_Nm = settings_.max_torque_Nm;
+    packet.command.max_slew_N_per_s = settings_.max_slew_N_per_s;
     packet.command.given = {force_.gave_J(), torque_.gave_J()};
     post_.send(now_s, packet);
     return true;

@@ -17,6 +17,7 @@
 #include "haptics/handover/latest_value.h"
 #include "haptics/link/energy_balance.h"
 #include "haptics/link/link_post.h"
+#include "haptics/loop/haptic_plan.h"
 
 #include <atomic>
 
@@ -25,6 +26,7 @@ namespace fulcrum {
 struct LinkDeviceSettings {
     double max_force_N = 5.0;         ///< told to the arm, 0.5 to 10
     double max_torque_Nm = 0.3;       ///< likewise, 0 to 1
+    double max_slew_N_per_s = 500.0;  ///< likewise, 10 to 5000
     double lost_after_s = 0.5;        ///< silence after which the link begins anew, 0.05 to 10
     double most_round_trip_s = 0.25;  ///< 0.001 to 1
     double return_m_per_s = 0.1;      ///< how fast a shift goes back in free space, 0.001 to 1
@@ -68,6 +70,9 @@ class LinkDevice final : public Device {
 
     /// Load path, before the loop runs: takes what has come and says hello; true once an arm has said welcome, and `traits` are true.
     [[nodiscard]] bool greet(double now_s);
+
+    /// Before the loop steps: what the run lets through, told to the arm from now on.
+    void tell_limits(const SafetySettings& run) noexcept;
 
     /// Says bye and begins anew; the clock of the calls may begin anew as well.
     void part() noexcept;

@@ -36,6 +36,7 @@ Expected<void> validate(const LinkDeviceSettings& s) {
     const Range ranges[] = {
         {"max_force_N", s.max_force_N, 0.5, 10.0},
         {"max_torque_Nm", s.max_torque_Nm, 0.0, 1.0},
+        {"max_slew_N_per_s", s.max_slew_N_per_s, kLeastSlew_N_per_s, 5000.0},
         {"lost_after_s", s.lost_after_s, 0.05, 10.0},
         {"most_round_trip_s", s.most_round_trip_s, 0.001, 1.0},
         {"return_m_per_s", s.return_m_per_s, 0.001, 1.0},
@@ -52,6 +53,12 @@ LinkDevice::LinkDevice(const LinkDeviceSettings& settings, Datagrams& datagrams,
 
 LinkDevice::~LinkDevice() {
     part();
+}
+
+void LinkDevice::tell_limits(const SafetySettings& run) noexcept {
+    settings_.max_force_N = run.max_force_N;
+    settings_.max_torque_Nm = run.max_torque_Nm;
+    settings_.max_slew_N_per_s = run.max_slew_N_per_s;
 }
 
 void LinkDevice::part() noexcept {

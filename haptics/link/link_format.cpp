@@ -145,6 +145,7 @@ void visit_command(Visitor& visitor, Command& command) noexcept {
     visit_vector3(visitor, command.wrench_D.torque);
     visitor.field(command.max_force_N);
     visitor.field(command.max_torque_Nm);
+    visitor.field(command.max_slew_N_per_s);
     visitor.field(command.given.force_J);
     visitor.field(command.given.torque_J);
 }
@@ -207,7 +208,8 @@ bool is_sane(const LinkState& s) noexcept {
 
 bool is_sane(const LinkCommand& c) noexcept {
     return is_within(c.wrench_D, kInsaneForce_N) && is_within(c.max_force_N, 0.0, 1000.0) &&
-           is_within(c.max_torque_Nm, 0.0, 1000.0) && is_sane(c.given);
+           is_within(c.max_torque_Nm, 0.0, 1000.0) &&
+           is_within(c.max_slew_N_per_s, kLeastSlew_N_per_s, 1.0e6) && is_sane(c.given);
 }
 
 bool is_sane(const LinkPacket& packet) noexcept {
@@ -244,7 +246,7 @@ std::size_t packet_size(PacketKind kind) noexcept {
             return kEnds + (1 + 7 + 6 + 6 + 2) * kNumber + 12;
         case PacketKind::command:
             // Wrench, limits, energy.
-            return kEnds + (6 + 2 + 2) * kNumber;
+            return kEnds + (6 + 3 + 2) * kNumber;
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// The bytes of the arm link, version 1, as PROTOCOL.md beside this file describes them for whoever builds an arm.
+// The bytes of the arm link, version 2, as PROTOCOL.md beside this file describes them for whoever builds an arm.
 //
 //   head 56 | what its kind has | CRC-32 of all before, 4 | tag of all before, 32         little-endian, IEEE 754 doubles
 // The CRC tells a packet that was damaged on its way from one that a stranger made; the tag keeps strangers out. Sizes are
@@ -22,10 +22,12 @@
 
 namespace fulcrum {
 
-inline constexpr std::uint16_t kLinkVersion = 1;
+inline constexpr std::uint16_t kLinkVersion = 2;
 inline constexpr std::size_t kLargestPacket = 512;  ///< bytes; no kind is larger
 inline constexpr double kFastestTold =
     1000.0;  ///< of a twist, m/s and rad/s; a faster one is refused
+inline constexpr double kLeastSlew_N_per_s =
+    10.0;  ///< of a command's limit: a force must be able to go; a slower one is refused
 inline constexpr std::size_t kLinkNameBytes = 32;
 
 enum class PacketKind : std::uint8_t {
@@ -83,7 +85,8 @@ struct LinkCommand {
     Wrench wrench_D{};
     double max_force_N = 0.0;  ///< the arm takes the smaller of these and its own
     double max_torque_Nm = 0.0;
-    LinkEnergy given{};  ///< by the scene
+    double max_slew_N_per_s = 0.0;  ///< likewise; of the torque times max_torque / max_force
+    LinkEnergy given{};             ///< by the scene
 };
 
 /// One packet; of the four parts the one that its kind names means something.

@@ -78,25 +78,17 @@ SpoiledArm::Arm::Arm(SpoiledModel model, LatestValue<HandTarget>& target) {
     }
 }
 
-Pose SpoiledArm::Arm::pose_D() const noexcept {
-    return wam ? wam->compute_pose_D() : Pose::at(desktop->position_D());
-}
-
 bool SpoiledArm::Arm::read(double now_s, DeviceReading& reading) noexcept {
     (void)device->read(now_s, reading);
     reading.pose_D.position += offset_D;
-    switch (spoil) {
-        case Spoil::no_pose:
-            return false;
-        case Spoil::no_number:
-            reading.pose_D.position.y() = std::numeric_limits<double>::quiet_NaN();
-            return true;
-        case Spoil::stuck_sensor:
-            reading.stamp_s = since_s;
-            return true;
-        default:
-            return true;
+    if (spoil == Spoil::no_number) {
+        reading.pose_D.position.y() = std::numeric_limits<double>::quiet_NaN();
     }
+    // A clock that is stuck stands where it was told last, however long the program has slept before.
+    reading.stamp_s = spoil == Spoil::stuck_sensor ? stamp_s : reading.stamp_s;
+    stamps_back += reading.stamp_s < stamp_s ? 1 : 0;
+    stamp_s = reading.stamp_s;
+    return spoil != Spoil::no_pose;
 }
 
 bool SpoiledArm::Arm::write(double now_s, const Wrench& wrench_D) noexcept {
@@ -144,8 +136,7 @@ SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target,
       arm_(model, wanted_),
       line_({.seed = seed}, channel_.end(0)),
       server_(server_settings(own), arm_, channel_.end(1), seal_, numbers_),
-      device_({.max_force_N = kHardForceCap_N, .max_torque_Nm = kHardTorqueCap_Nm}, line_, seal_,
-              numbers_) {
+      device_({}, line_, seal_, numbers_) {
     counts_.hash = kFirstHash;
     for (double now_s = 0.0; now_s < 1.0 && !device_.greet(now_s); now_s += kRound_s) {
         server_.step(now_s + kHalfRound_s);
@@ -154,12 +145,20 @@ SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target,
     watch_limits(own);
 }
 
-// A force goes through two gates, and the last one's slew is what the hand feels: after packets that were lost it catches up with the first.
+void SpoiledArm::keep_limits(const SafetySettings& run) noexcept {
+    device_.tell_limits(run);
+    watch_limits(run);
+}
+
+// A force goes through two gates, the program's and the arm's: each keeps all of its own, and the second what the first one told.
 void SpoiledArm::watch_limits(const SafetySettings& run) noexcept {
+    const auto slew_Nm_per_s = [](const SafetySettings& s) {
+        return s.max_slew_N_per_s * s.max_torque_Nm / s.max_force_N;
+    };
     limits_.force_N = std::min(run.max_force_N, own_.max_force_N);
     limits_.torque_Nm = std::min(run.max_torque_Nm, own_.max_torque_Nm);
-    limits_.slew_N_per_s = own_.max_slew_N_per_s;
-    limits_.slew_Nm_per_s = own_.max_slew_N_per_s * own_.max_torque_Nm / own_.max_force_N;
+    limits_.slew_N_per_s = std::min(run.max_slew_N_per_s, own_.max_slew_N_per_s);
+    limits_.slew_Nm_per_s = std::min(slew_Nm_per_s(run), slew_Nm_per_s(own_));
 }
 
 double SpoiledArm::draw_first(SplitMix& chance) noexcept {
@@ -274,7 +273,6 @@ void SpoiledArm::begin(Spoil spoil, double now_s) noexcept {
     saw_gone_ = false;
     ++counts_.happened[static_cast<std::size_t>(spoil)];
     arm_.spoil = spoil;
-    arm_.since_s = kBefore_s + now_s;
     LinkFaults faults;
     switch (spoil) {
         case Spoil::loss:
@@ -348,7 +346,13 @@ void SpoiledArm::watch(double now_s) noexcept {
     ++counts_.rounds;
     counts_.felt_rounds += counts_.force_N > kFelt_N ? 1 : 0;
     counts_.turned_rounds += counts_.torque_Nm > kFelt_Nm ? 1 : 0;
-    counts_.quiet_s = spoil_ == Spoil::nothing ? std::max(now_s - from_s_, 0.0) : 0.0;
+    counts_.stamps_back = arm_.stamps_back;
+    // A hand that goes too fast, or is given too much, shuts the arm's gate; the program hears of that as of a command that is not followed.
+    if (any(server_.status().faults & (Fault::hand_too_fast | Fault::too_much_energy))) {
+        guarded_s_ = now_s;
+    }
+    counts_.quiet_s =
+        spoil_ == Spoil::nothing ? std::max(now_s - std::max(from_s_, guarded_s_), 0.0) : 0.0;
     watch_fade(now_s);
     mix_in(now_s, felt_D);
 }
@@ -368,14 +372,22 @@ void SpoiledArm::watch_fade(double now_s) noexcept {
 }
 
 void SpoiledArm::mix_in(double now_s, const Wrench& felt_D) noexcept {
-    const Pose pose_D = arm_.pose_D();
-    const Vector3& x_D = pose_D.position;
-    const Quaternion& turn_D = pose_D.orientation;
-    for (const double value :
-         {turn_D.w(), turn_D.x(), turn_D.y(), turn_D.z(), now_s, x_D.x(), x_D.y(), x_D.z(),
-          felt_D.force.x(), felt_D.force.y(), felt_D.force.z(), felt_D.torque.x(),
-          felt_D.torque.y(), felt_D.torque.z()}) {
-        counts_.hash = mix(counts_.hash, std::bit_cast<std::uint64_t>(value));
+    mix_in(&now_s, 1);
+    // Where the joints are says where the handle is.
+    if (arm_.wam) {
+        const JointVector& angles_rad = arm_.wam->state().angle_rad;
+        mix_in(angles_rad.data(), static_cast<std::size_t>(angles_rad.size()));
+    } else {
+        const Vector3 position_D = arm_.desktop->position_D();
+        mix_in(position_D.data(), 3);
+    }
+    mix_in(felt_D.force.data(), 3);
+    mix_in(felt_D.torque.data(), 3);
+}
+
+void SpoiledArm::mix_in(const double* values, std::size_t n) noexcept {
+    for (std::size_t i = 0; i < n; ++i) {
+        counts_.hash = mix(counts_.hash, std::bit_cast<std::uint64_t>(values[i]));
     }
 }
 

@@ -6,7 +6,7 @@
 // sleeps, so that the arm goes on and the program's clock does not. Where the program's clock jumps, the arm has gone on too. The hand does
 // what it likes (random_hand.h). Meanwhile it is watched that no force or torque passes the run's own limits, nor changes faster than they
 // allow, and that where it must fade it is gone in kMostFade_s. The same seed and the same calls give the same bits: `hash` is over every
-// pose and wrench.
+// place, of the handle or of the joints, and every wrench.
 //
 // Thread: that of the haptic loop. Cost: some microseconds a round; allocates nothing after it was built.
 #pragma once
@@ -102,9 +102,12 @@ struct SpoiledCounts {
     FeltLimit broken = FeltLimit::none;  ///< the first
     double peak_N = 0.0;
     double peak_Nm = 0.0;
-    double force_N = 0.0;       ///< on the hand now
-    double torque_Nm = 0.0;     ///< likewise
-    double quiet_s = 0.0;       ///< for so long nothing has been broken; 0 while something is
+    double force_N = 0.0;    ///< on the hand now
+    double torque_Nm = 0.0;  ///< likewise
+    std::uint64_t stamps_back =
+        0;  ///< of the sensor: earlier than the one before. No kind of fault does that
+    double quiet_s =
+        0.0;  ///< for so long nothing has been broken and the hand was not too fast; else 0
     double bad_since_s = -1.0;  ///< when a limit was first broken or a fade missed; negative: never
     Spoil bad_in = Spoil::nothing;  ///< what was broken then
     std::uint64_t hash = 0;
@@ -135,7 +138,9 @@ class SpoiledArm final : public Device {
     [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
     [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
 
-    /// From now on it is watched that these are kept, of the program's last gate, and the arm's own.
+    /// Before the loop steps: the run's own limits, as its last gate has them, are told to the arm and watched.
+    void keep_limits(const SafetySettings& run) noexcept;
+    /// Watched alone: the least of these and the arm's own.
     void watch_limits(const SafetySettings& run) noexcept;
     [[nodiscard]] const FeltLimits& limits() const noexcept { return limits_; }
 
@@ -168,14 +173,14 @@ class SpoiledArm final : public Device {
         [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
         [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
         void take_hold(bool holds) noexcept;
-        [[nodiscard]] Pose pose_D() const noexcept;
         // One of the two, and what it is as a device.
         std::unique_ptr<SimulatedArm> desktop{};
         std::unique_ptr<SimulatedWam> wam{};
         Device* device = nullptr;
         Wrench written_D{};  // last
         Spoil spoil = Spoil::nothing;
-        double since_s = 0.0;
+        double stamp_s = 0.0;           // told last
+        std::uint64_t stamps_back = 0;  // told that were earlier than the one before
         Vector3 offset_D{Vector3::Zero()};
     };
 
@@ -191,6 +196,7 @@ class SpoiledArm final : public Device {
     void watch(double now_s) noexcept;
     void watch_fade(double now_s) noexcept;
     void mix_in(double now_s, const Wrench& felt_D) noexcept;
+    void mix_in(const double* values, std::size_t n) noexcept;
     [[nodiscard]] bool is_gone() const noexcept;
     void blame(double now_s) noexcept;
     [[nodiscard]] double draw(double low, double high) noexcept;
@@ -213,6 +219,7 @@ class SpoiledArm final : public Device {
     // What is broken now, and when the next thing breaks.
     Spoil spoil_ = Spoil::nothing;
     double from_s_ = 0.0;
+    double guarded_s_ = -1.0;  // when the hand was too fast last
     double until_s_ = 0.0;
     double asleep_s_ = 0.0;     // in all: the arm's clock is so much ahead
     double served_s_ = 0.0;     // the arm's last round, on the program's clock

@@ -10,11 +10,11 @@ namespace fulcrum {
 namespace {
 
 // Less than this part of the clearance is no motion.
-constexpr double kNoMotion = 0.01;
+constexpr double kProxyNoMotion = 0.01;
 // A plane counts as respected up to this part of the clearance.
-constexpr double kSlack = 0.1;
+constexpr double kProxySlack = 0.1;
 // After a free way shorter than this many clearances (1e-8 of the solid's size) the proxy has settled for this step.
-constexpr double kSettled = 1.0e2;
+constexpr double kProxySettled = 1.0e2;
 // Steps of Newton's method from a tangent plane to the surface.
 constexpr int kMostCorrections = 3;
 // A plane of a gap of up to this many clearances is touched.
@@ -24,7 +24,7 @@ constexpr double kLongest = 1000.0;
 // What shrinks faster than to this part of itself a round needs no help.
 constexpr double kSlow = 0.3;
 
-bool is_usable(const Vector3& hand_W) noexcept {
+bool is_for_proxy(const Vector3& hand_W) noexcept {
     return hand_W.allFinite() && hand_W.cwiseAbs().maxCoeff() <= VirtualProxy::kFarthest_m;
 }
 
@@ -36,7 +36,7 @@ VirtualProxy::VirtualProxy(std::vector<MovingObstacle> solids) : solids_(std::mo
 }
 
 void VirtualProxy::reset(const Vector3& hand_W) noexcept {
-    if (!is_usable(hand_W)) {
+    if (!is_for_proxy(hand_W)) {
         return;
     }
     planes_.count = 0;
@@ -58,7 +58,7 @@ void VirtualProxy::put_solid(std::size_t solid, const Pose& pose_W) noexcept {
 }
 
 const ProxyContact& VirtualProxy::follow(const Vector3& goal_W) noexcept {
-    if (!is_usable(goal_W)) {
+    if (!is_for_proxy(goal_W)) {
         return contact_;
     }
     reach_m_ = std::max((goal_W - goal_W_).norm(), std::numeric_limits<double>::min());
@@ -93,10 +93,10 @@ bool VirtualProxy::go_on(const Vector3& goal_W, double& least_m2) noexcept {
     Vector3 way = constrain(goal_W - proxy_W_, planes_);
     const bool is_free = planes_.count == 0;
     const double clearance_m = is_free ? 0.0 : planes_.plane[0].clearance_m;
-    if (way.cwiseAbs().maxCoeff() <= kNoMotion * clearance_m) {
+    if (way.cwiseAbs().maxCoeff() <= kProxyNoMotion * clearance_m) {
         return false;
     }
-    const double settled_m = kSettled * clearance_m;
+    const double settled_m = kProxySettled * clearance_m;
     const bool is_long = way.squaredNorm() > settled_m * settled_m;
     // Longer ways only as long as they lead nearer to the goal.
     const double apart_m2 = (goal_W - proxy_W_).squaredNorm();
@@ -164,7 +164,8 @@ bool VirtualProxy::stop_at(const Blocker& blocker, const Vector3& target_W) noex
 
 // Where to go to be as near to the wish as the planes allow; keeps the planes that push.
 Vector3 VirtualProxy::constrain(const Vector3& wish, Planes& planes) noexcept {
-    return planes.constrain(wish, kSlack, [](const ObstaclePlane& plane) { return plane.gap_m; });
+    return planes.constrain(wish, kProxySlack,
+                            [](const ObstaclePlane& plane) { return plane.gap_m; });
 }
 
 // A way along tangent planes stops short where the surface turns with the proxy, and beyond a ridge hardly leaves it: what is left

@@ -8,7 +8,7 @@ namespace fulcrum {
 
 namespace {
 
-constexpr int kMaxPushes = 8;        // features met on the way out from between solids
+constexpr int kMaxProxyPushes = 8;   // features met on the way out from between solids
 constexpr int kMaxSeparations = 32;  // looks for features that a ball starts in
 
 }  // namespace
@@ -68,7 +68,7 @@ bool VirtualProxy::place_between(const Vector3& wish_W, const Blocker& first) no
         add(solids_[static_cast<std::size_t>(planes_.plane[i].solid)].find_plane(
             planes_.plane[i].feature));
     }
-    for (int push = 0; push < kMaxPushes && planes.count < kMaxPlanes; ++push) {
+    for (int push = 0; push < kMaxProxyPushes && planes.count < kMaxPlanes; ++push) {
         add(solids_[static_cast<std::size_t>(blocker.solid)].find_plane(blocker.hit.feature));
         candidate_W = wish_W + constrain(Vector3::Zero(), planes);
         blocker = find_blocker(candidate_W);

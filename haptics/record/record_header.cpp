@@ -17,7 +17,7 @@ constexpr const char* kHeadAgain = "record the run again";
 constexpr std::size_t kFirstBytes = 16;
 constexpr std::size_t kChecksumBytes = 4;
 constexpr std::uint32_t kFirstWithLists = 5;  // the first version whose header has lists
-constexpr std::uint32_t kFirstWithHands = 6;
+constexpr std::uint32_t kFirstWithMoreHands = 6;
 
 void put_list(Sink& sink, const std::vector<std::string>& texts, std::size_t most) {
     const std::size_t n = std::min(texts.size(), most);
@@ -96,7 +96,8 @@ bool take_new(Source source, std::uint32_t version, RecordHeader& header) {
     }
     return take_text(source, header.lesson) && take_list(source, kMostEffects, header.effects) &&
            take_list(source, kMaxBodies, header.bodies) && take_facts(source, header.facts) &&
-           (version < kFirstWithHands || take_hands(source, header.more_hands)) && !source.has(1);
+           (version < kFirstWithMoreHands || take_hands(source, header.more_hands)) &&
+           !source.has(1);
 }
 
 bool take_old(Source source, RecordHeader& header) {

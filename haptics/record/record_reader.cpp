@@ -27,7 +27,7 @@ constexpr Fault kLastFaults[] = {Fault::device_write,  Fault::ended,        Faul
                                  Fault::other_stopped, Fault::other_stopped};
 static_assert(std::size(kLastFaults) == kRecordVersion);
 constexpr std::uint32_t kFirstWithShares = 5;  // version whose samples tell what each effect adds
-constexpr std::uint32_t kFirstWithHands = 6;
+constexpr std::uint32_t kFirstWithHandSamples = 6;
 constexpr std::size_t kEventHeadBytes = 16;  // time, kind, body
 constexpr double kUnitTolerance = 1.0e-3;
 constexpr std::size_t kLargestFile_bytes = std::size_t{2} << 30;
@@ -58,7 +58,7 @@ class Reader {
     Problem read_end(std::span<const std::byte> payload);
     [[nodiscard]] bool is_old() const { return record_.version < kFirstWithShares; }
     [[nodiscard]] bool knows_told() const { return record_.version >= kFirstToldVersion; }
-    [[nodiscard]] bool knows_hands() const { return record_.version >= kFirstWithHands; }
+    [[nodiscard]] bool knows_hands() const { return record_.version >= kFirstWithHandSamples; }
     [[nodiscard]] bool take_sample(Source& source, const RecordRounds& before,
                                    RecordSample& sample) const;
     [[nodiscard]] bool take_event(Source& source, RecordEvent& event) const;

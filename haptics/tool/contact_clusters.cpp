@@ -178,8 +178,7 @@ void ContactClusters::age(double dt_s) noexcept {
         const bool going = growth.ends || growth.is_empty;
         double& strength = clusters_[j].strength;
         strength = std::clamp(strength + (going ? -step : step), 0.0, 1.0);
-        growth.share = std::clamp(growth.share + (going ? -step : step),
-                                  growth.is_empty ? 0.0 : kLeastShare, 1.0);
+        growth.share = std::clamp(growth.share + (going ? -step : step), kLeastShare, 1.0);
     }
 }
 

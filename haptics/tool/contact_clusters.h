@@ -6,8 +6,8 @@
 //   p_j, n_j, depth_j = sum u_ij w_i (p_i, n_i, depth_i) / sum u_ij w_i
 // The means are sought from those of the last time, two rounds of Lloyd's, so a cluster is where it was, a little on; and as u and w are
 // continuous, a contact that comes, goes, or passes from one cluster to another moves nothing by a jump; what is born or ends lets
-// its neighbours run to their new places within a few rounds. Contacts whose normals are
-// more than 60 degrees apart share no cluster: the two sides of a sheet, the walls of a slot.
+// its neighbours run to their new places within a few rounds. A contact has no part in a cluster whose mean normal is
+// more than 60 degrees from its own: so the two sides of a sheet, or the walls of a slot, share none.
 //   birth   the deepest contact that no cluster covers begins one; its share s of others' contacts grows from 0 in `fade_s`
 //   end     what has no contact left, or came within rho / 2 of an older one, loses its force in `fade_s` (`strength` from 1 to 0), and its share
 //           likewise; then it is gone. What is told of it meanwhile is what it was

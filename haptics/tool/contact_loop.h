@@ -19,7 +19,7 @@ namespace fulcrum {
 
 /// Fixed at load.
 struct ContactLoopSettings {
-    ContactClusterSettings clusters{};  ///< `most` is of all objects together
+    ContactClusterSettings clusters{};  ///< `most` is of each object; told are kMostClusters in all
     int most_near = 2048;               ///< contacts an object at a time, 32 to 65536
     double budget_us = 0.0;  ///< of a round, 0 to 1e6, for finders that can be hurried; 0: none
 };

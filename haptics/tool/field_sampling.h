@@ -57,6 +57,7 @@
 // Impulse-based dynamic simulation, PhD thesis, Berkeley, section 2.3.2.
 #pragma once
 
+#include "haptics/base/clock.h"
 #include "haptics/math/wrench_jacobian.h"
 #include "haptics/tool/seen_samples.h"
 #include "haptics/tool/step_time.h"
@@ -78,9 +79,9 @@ struct FieldSamplingSettings {
     SamplingMode mode = SamplingMode::coherent;
     double budget_us = 0.0;  ///< of a step, 0: as long as it takes; else 5 to 1e5, coherent only
     BudgetClock clock = BudgetClock::measured;
-    double leaf_us =
-        0.3;  ///< what a leaf of points is taken to cost, until it is known; 0.01 to 10
-    double group_us = 0.06;  ///< what a group of balls is taken to cost, likewise
+    double leaf_us = 0.3;    ///< what a leaf of points costs, until it is known; 0.01 to 10
+    double group_us = 0.06;  ///< what a group of balls costs, likewise
+    double (*now_s)() noexcept = &monotonic_now_s;  ///< what is measured by, where no StepTime is
 };
 
 /// Checks all fields.

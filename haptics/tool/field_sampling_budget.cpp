@@ -1,5 +1,4 @@
 // The half of field_sampling.h that works within a budget of time.
-#include "haptics/base/clock.h"
 #include "haptics/math/length.h"
 #include "haptics/tool/field_sampling.h"
 #include "haptics/tool/rank_cut.h"
@@ -22,7 +21,7 @@ double FieldSampler::elapsed_us() const noexcept {
                    settings_.leaf_us +
                static_cast<double>(touch_.n_groups) * settings_.group_us;
     }
-    return 1.0e6 * (monotonic_now_s() - began_s_);
+    return 1.0e6 * (settings_.now_s() - began_s_);
 }
 
 double FieldSampler::find_left_us() const noexcept {
@@ -78,7 +77,7 @@ void FieldSampler::begin_look() noexcept {
         begin_holding();
     }
     look_us_ = shares_time() ? step_time_->find_look_us(n_near_) : settings_.budget_us;
-    began_s_ = has_budget() && settings_.clock == BudgetClock::measured ? monotonic_now_s() : 0.0;
+    began_s_ = has_budget() && settings_.clock == BudgetClock::measured ? settings_.now_s() : 0.0;
 }
 
 void FieldSampler::end_look() noexcept {

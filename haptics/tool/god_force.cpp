@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNothing_N = 1.0e-4;
 constexpr double kNothing_Nm = 1.0e-6;
-constexpr double kFarthest_m = 1.0e9;
+constexpr double kFarthest_m = 2.0e4;
 constexpr double kUnit = 1.0e-6;  // how far a quaternion's length may be off
 
 }  // namespace
@@ -24,6 +24,10 @@ Vector6 find_way(const Pose& from_W, const Pose& to_W) noexcept {
 bool is_place(const Pose& pose) noexcept {
     return is_finite(pose) && pose.position.cwiseAbs().maxCoeff() <= kFarthest_m &&
            std::abs(pose.orientation.norm() - 1.0) < kUnit;
+}
+
+bool is_place(const MovingFrame& frame) noexcept {
+    return is_finite(frame) && is_place(frame.pose_W);
 }
 
 Pose go_along(const Pose& from_W, const Vector6& way) noexcept {

@@ -19,6 +19,7 @@
 
 #include "haptics/constraint/friction_constraint.h"
 #include "haptics/constraint/least_constraint.h"
+#include "haptics/coupling/tool_coupling.h"
 #include "haptics/dynamics/rigid_state.h"
 #include "haptics/math/rotation.h"
 
@@ -36,8 +37,11 @@ struct GodForceSettings {
 
 /// The shift and the rotation vector, world frame, that lead from one pose of a body to another.
 [[nodiscard]] Vector6 find_way(const Pose& from_W, const Pose& to_W) noexcept;
-/// Whether a body may be there: numbers, a unit quaternion, and no farther from the origin than 1e9 m.
+/// Whether a body may be there: numbers, a unit quaternion, and no coordinate beyond 2e4 m: what rounding makes of a place, 4e-15 of it in two turns
+/// and a step, is 8e-11 m there, below the nearest that a sweep lets go, 1.6e-10 m at the least gap (god_motion.h).
 [[nodiscard]] bool is_place(const Pose& pose) noexcept;
+/// And moves, if at all, by numbers.
+[[nodiscard]] bool is_place(const MovingFrame& frame) noexcept;
 /// The body after it.
 [[nodiscard]] Pose go_along(const Pose& from_W, const Vector6& way) noexcept;
 

@@ -1,4 +1,4 @@
-// What the hand and the objects feel of god_object_tool.h, and how contacts hold along themselves.
+// What hand and objects feel of god_object_tool.h, by the last set of contacts.
 #include "haptics/math/length.h"
 #include "haptics/tool/god_object_tool.h"
 
@@ -7,14 +7,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kPressGaps = 2.0;  // what is within so many may press
-constexpr double kPressRise =
-    0.05;  // likewise; of a gap: what rounding and the last round leave of a flat contact
-constexpr double kSlipShare = 1.0e-3;  // of the gap at rest: what goes so far in a step slips
-
-bool may_press(const GodContact& contact, const GodObjectSettings& settings) noexcept {
-    return contact.gap_m <= kPressGaps * settings.gap_m &&
-           contact.rise_m <= kPressRise * settings.gap_m;
+bool is_of(const GodPress& press, std::size_t object) noexcept {
+    return static_cast<std::size_t>(press.object) == object;
 }
 
 }  // namespace
@@ -25,73 +19,29 @@ Wrench GodObjectTool::about_grip(const Wrench& about_centre, const Pose& handle_
     return {about_centre.force, about_centre.torque + arm_W.cross(about_centre.force)};
 }
 
-// Of a place of the tool over the object, in the step before: it holds by the static coefficient what did not slip.
-double GodObjectTool::find_friction(std::size_t i, const GodContact& contact) const noexcept {
-    const FrictionSettings& friction = frictions_[i];
-    if (friction.static_coefficient == friction.dynamic_coefficient) {
-        return friction.dynamic_coefficient;
-    }
-    const Slip& slip = slips_[i];
-    const Vector3 at_T = slip.to_OT.inverse() * contact.on_tool_O;
-    const Vector3 slip_O = slip.to_OT * at_T - slip.from_OT * at_T;
-    const Vector3 along_O = slip_O - contact.normal_O * contact.normal_O.dot(slip_O);
-    return along_O.norm() > kSlipShare * settings_.gap_m ? friction.dynamic_coefficient
-                                                         : friction.static_coefficient;
-}
-
-Vector3 GodObjectTool::find_felt_normal_W(std::size_t i, const GodContact& contact,
-                                          const Matrix3& R_WO) const noexcept {
-    if (shadings_.empty()) {
-        return R_WO * contact.normal_O;
-    }
-    const Pose X_OT = objects_W_[i].inverse() * pose_W_;
-    return R_WO *
-           find_felt_normal_O(shadings_[i].object.get(), shadings_[i].tool.get(), contact, X_OT);
-}
-
-void GodObjectTool::note_slips() noexcept {
-    for (std::size_t i = 0; i < pairs_.size() && is_followed_; ++i) {
-        slips_[i] = {slips_[i].to_OT, objects_W_[i].inverse() * pose_W_};
-    }
-}
-
-void GodObjectTool::forget_slips() noexcept {
-    for (std::size_t i = 0; i < pairs_.size() && is_followed_; ++i) {
-        const Pose at_OT = objects_W_[i].inverse() * pose_W_;
-        slips_[i] = {at_OT, at_OT};
-    }
-}
-
+// The set is what holds the tool from now on.
 void GodObjectTool::tell_force() noexcept {
+    const bool was_known = is_known_;
+    is_known_ = true;
+    pose_W_ = set().tool_W;
     force_.begin(pose_W_);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        for (const GodContact& contact : pairs_[i].contacts()) {
-            if (!may_press(contact, settings_)) {
-                continue;
-            }
-            const Vector3 arm_W =
-                R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
-            force_.add(arm_W, find_felt_normal_W(i, contact, R_WO),
-                       std::min(settings_.gap_m - contact.gap_m, 0.0), find_friction(i, contact));
-        }
+    for (const GodPress& press : presses()) {
+        force_.add(press.arm_W, press.normal_W, press.least_m, press.friction);
+    }
+    for (std::size_t i = 0; i < seen_OT_.size() && !was_known; ++i) {
+        seen_OT_[i] = set().objects[i].from_OT;
     }
 }
 
 void GodObjectTool::tell_touches() noexcept {
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        touches_[i] = {};
-        for (const GodContact& contact : pairs_[i].contacts()) {
-            const Vector3 force_W =
-                may_press(contact, settings_) ? force_.force_W(k++) : Vector3(Vector3::Zero());
-            if (!force_W.isZero(0.0)) {
-                add_point_force(
-                    R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position, force_W,
-                    touches_[i].wrench_W);
-                touches_[i].touches = true;
-            }
+    std::ranges::fill(touches_, ToolTouch{});
+    const std::span<const GodPress> all = presses();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const Vector3 force_W = force_.force_W(k);
+        if (!force_W.isZero(0.0)) {
+            ToolTouch& touch = touches_[static_cast<std::size_t>(all[k].object)];
+            add_point_force(all[k].arm_W, force_W, touch.wrench_W);
+            touch.touches = true;
         }
     }
 }
@@ -100,51 +50,34 @@ void GodObjectTool::tell_touches() noexcept {
 bool GodObjectTool::share_pressure() noexcept {
     pressure_.clear();
     Vector6 pushed = Vector6::Zero();
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        if (const auto rough = std::ranges::find(rough_, i, &Rough::object);
-            rough != rough_.end()) {
-            rough->first = k;
-        }
-        for (const GodContact& contact : pairs_[i].contacts()) {
-            if (!may_press(contact, settings_)) {
-                continue;
-            }
-            const Vector3 arm_W =
-                R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
-            const Vector3 normal_W = find_felt_normal_W(i, contact, R_WO);
-            const Vector3 force_W = normal_W * normal_W.dot(force_.force_W(k++));
-            pushed.head<3>() += force_W;
-            pushed.tail<3>() += arm_W.cross(force_W);
-            // What comes nearer begins to press little by little.
-            const double gaps = contact.gap_m / settings_.gap_m;
-            pressure_.add(arm_W, normal_W,
-                          std::clamp((kPressGaps - gaps) / (kPressGaps - 1.0), 0.0, 1.0));
-        }
+    const std::span<const GodPress> all = presses();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const GodPress& press = all[k];
+        const Vector3 force_W = press.normal_W * press.normal_W.dot(force_.force_W(k));
+        pushed.head<3>() += force_W;
+        pushed.tail<3>() += press.arm_W.cross(force_W);
+        pressure_.add(press.arm_W, press.normal_W, press.share);
     }
     return pressure_.solve(pushed);
 }
 
-// Of one object whose contacts are told from `rough.first` on.
-void GodObjectTool::tell_relief(Rough& rough, bool presses, double dt_s) noexcept {
-    const Pose& object_W = objects_W_[rough.object];
-    const Matrix3 R_WO = object_W.orientation.toRotationMatrix();
-    const std::span<const GodContact> contacts = pairs_[rough.object].contacts();
+void GodObjectTool::tell_relief(Rough& rough, bool is_pressed, double dt_s) noexcept {
+    const GodObjectPlace& place = set().objects[rough.object];
+    const Matrix3 R_WO = place.object_W.orientation.toRotationMatrix();
+    const std::span<const GodPress> all = presses();
     double force_N = 0.0;
-    std::size_t k = rough.first;
-    for (const GodContact& contact : contacts) {
-        force_N += presses && may_press(contact, settings_) ? pressure_.force_N(k++) : 0.0;
+    for (std::size_t k = 0; k < all.size() && is_pressed; ++k) {
+        force_N += is_of(all[k], rough.object) ? pressure_.force_N(k) : 0.0;
     }
-    rough.texture.begin(slips_[rough.object].from_OT, slips_[rough.object].to_OT, force_N);
-    k = rough.first;
-    for (const GodContact& contact : contacts) {
-        if (force_N > 0.0 && may_press(contact, settings_)) {
-            rough.texture.add(contact.on_object_O,
-                              R_WO.transpose() * find_felt_normal_W(rough.object, contact, R_WO),
-                              pressure_.force_N(k++));
+    // On from the last set that was taken: others may have come and gone in between.
+    rough.texture.begin(seen_OT_[rough.object], place.to_OT, force_N);
+    for (std::size_t k = 0; k < all.size() && force_N > 0.0; ++k) {
+        if (is_of(all[k], rough.object)) {
+            rough.texture.add(all[k].on_object_O, R_WO.transpose() * all[k].normal_W,
+                              pressure_.force_N(k));
         }
     }
+    seen_OT_[rough.object] = place.to_OT;
     const Wrench& felt_O = rough.texture.finish(dt_s);
     texture_W_.force += R_WO * felt_O.force;
     texture_W_.torque += R_WO * felt_O.torque;
@@ -157,16 +90,16 @@ void GodObjectTool::tell_texture(double dt_s) noexcept {
         return;
     }
     const double held_N = find_held_N();
-    const bool presses = held_N > 0.0 && share_pressure();
-    textured_N_ = presses ? held_N : 0.0;
+    const bool is_pressed = held_N > 0.0 && share_pressure();
+    textured_N_ = is_pressed ? held_N : 0.0;
     for (Rough& rough : rough_) {
-        tell_relief(rough, presses, dt_s);
+        tell_relief(rough, is_pressed, dt_s);
     }
 }
 
 double GodObjectTool::find_held_N() const noexcept {
     const Wrench held = force_.held();
-    return held.force.norm() + held.torque.norm() / reach_m_;
+    return held.force.norm() + held.torque.norm() / motion_->reach_m();
 }
 
 Wrench GodObjectTool::find_texture(double held_N) const noexcept {
@@ -197,7 +130,35 @@ GodObjectTool::Felt GodObjectTool::feel(const Pose& handle_W) noexcept {
 }
 
 Wrench GodObjectTool::force(const Pose& handle_W) noexcept {
-    return is_begun_ && is_place(handle_W) ? feel(handle_W).all : Wrench{};
+    if (!is_known_ || !is_place(handle_W)) {
+        return {};
+    }
+    const Wrench all = feel(handle_W).all;
+    return {age_.share() * all.force, age_.share() * all.torque};
+}
+
+// Of answers that are late less and less.
+ToolFelt GodObjectTool::tell_felt(const Pose& handle_W, bool is_new) noexcept {
+    ToolFelt felt;
+    const Felt told = feel(handle_W);
+    const double share = age_.share();
+    felt.felt_W = {share * told.all.force, share * told.all.torque};
+    felt.spring_W = {share * told.contacts.force, share * told.contacts.torque};
+    felt.texture_W = {felt.felt_W.force - felt.spring_W.force,
+                      felt.felt_W.torque - felt.spring_W.torque};
+    for (const Rough& rough : rough_) {
+        felt.bumps_J += rough.texture.bumps_J();
+    }
+    const double stiffness = settings_.coupling.shift.stiffness_N_per_m;
+    felt.spring_energy_J =
+        stiffness > 0.0 ? compute_shift_energy_J(settings_.coupling,
+                                                 compute_length(felt.spring_W.force) / stiffness)
+                        : 0.0;
+    const GodObjectStep step = last_step();
+    felt.effort.n_looks = step.rounds + 1;
+    felt.effort.n_points = step.contacts;
+    felt.effort.in_time = !is_new || step.settled;
+    return felt;
 }
 
 }  // namespace fulcrum

@@ -1,52 +1,12 @@
 #include "haptics/tool/god_object_tool.h"
 
-#include "haptics/base/clock.h"
-#include "haptics/math/length.h"
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace fulcrum {
 namespace {
 
-constexpr double kContactGaps = 4.0;  // what is within so many gaps at rest is a contact, at least
-constexpr double kLookWidens =
-    4.0;  // how far contacts are looked for, when the tool was stopped by another
-constexpr double kStuckShare = 0.1;  // of its way, that is
-constexpr double kStuckGaps = 32.0;  // and it is shorter than so many gaps at rest
-constexpr int kManyContacts = 64;    // it does not turn between so many
-constexpr double kLookWidest = 0.1;  // of the tool's reach
-constexpr double kFreeGaps = 1.0;    // what is within is not free, beyond twice that it is
-constexpr double kNearGaps = 16.0;   // what is within: only there may a force outlast its contact
-constexpr double kTouchShare =
-    0.25;  // of the gap there is: the sweep stops between that and twice it
-constexpr double kLeastTouch = 1.0 / 64.0;  // of the gap at rest: nearer than that nothing goes
-constexpr double kSettledShare = 1.0e-4;    // of the gap at rest: a way as short is none
-// What is left after the first round goes on in the next step, if it is shorter than this of the gap at rest, or of the step's longest way.
-constexpr double kSettlesNext = 0.02;
-constexpr double kTooNear = 0.75;   // of the gap at rest: with less the tool is pushed back first
-constexpr double kObjectWay = 0.1;  // of the tool's reach, that an object goes in a round
-constexpr double kObjectTurn_rad = 0.02;  // likewise
-constexpr double kMostTurn_rad = 3.0;     // of the tool, in a round
-constexpr int kMovingTries = 4;
-constexpr double kNoProgress = 1.0e-6;  // of the objects' way
-
-bool is_number(const MovingFrame& frame) noexcept {
-    return is_finite(frame) && is_place(frame.pose_W);
-}
-
-// As near to length 1 as numbers can be: what is swept and what is looked at must be one place.
-Pose clean(const Pose& pose) noexcept {
-    return {pose.position, pose.orientation.normalized()};
-}
-
-bool is_same(const Pose& a, const Pose& b) noexcept {
-    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-}
-
-Pose seen_from(const Pose& object_W, const Pose& tool_W) noexcept {
-    return object_W.inverse() * tool_W;
+bool is_felt(const Wrench& wrench) noexcept {
+    return !wrench.force.isZero(0.0) || !wrench.torque.isZero(0.0);
 }
 
 }  // namespace
@@ -64,11 +24,14 @@ Pose GodObjectTool::grip_W() const noexcept {
 
 void GodObjectTool::place(const Pose& handle_W) noexcept {
     pose_W_ = find_held_W(handle_W);
-    is_begun_ = false;
-    for (GodPair& pair : pairs_) {
-        pair.forget();
+    if (settings_.own_motion) {
+        motion_->place(pose_W_);
     }
-    step_ = {};
+    goal_.placed_W = pose_W_;
+    ++goal_.n_placements;
+    is_known_ = false;
+    since_s_ = 0.0;
+    age_.restart();
     force_.begin(pose_W_);
     force_.forget_blend();
     texture_W_ = {};
@@ -80,309 +43,78 @@ void GodObjectTool::place(const Pose& handle_W) noexcept {
 }
 
 bool GodObjectTool::is_free(std::span<const MovingFrame> objects) const noexcept {
-    if (!is_apart(objects)) {
-        return false;
-    }
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (pairs_[i].is_enclosed(seen_from(clean(objects[i].pose_W), pose_W_))) {
-            return false;
-        }
-    }
-    return true;
+    return motion_->is_free(pose_W_, objects);
 }
 
-bool GodObjectTool::is_apart(std::span<const MovingFrame> objects) const noexcept {
-    if (objects.size() != pairs_.size() || !is_finite(pose_W_) ||
-        !std::ranges::all_of(objects, is_number)) {
-        return false;
+// The motion's step, here.
+GodObjectTool::News GodObjectTool::go(const Pose& held_W, std::span<const MovingFrame> objects,
+                                      bool is_felt) noexcept {
+    if (listener_ != nullptr) {
+        listener_->begins_round();
     }
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (!pairs_[i].is_apart(seen_from(clean(objects[i].pose_W), pose_W_),
-                                kFreeGaps * settings_.gap_m)) {
-            return false;
-        }
+    const bool moved = motion_->move(held_W, objects, is_felt);
+    if (moved) {
+        motion_->tell(*own_set_);
     }
-    return true;
+    if (listener_ != nullptr) {
+        listener_->ended_round();
+    }
+    return moved ? News::learnt : News::overlaps;
 }
 
-bool GodObjectTool::begin(std::span<const MovingFrame> objects) noexcept {
-    if (is_begun_) {
-        return true;
-    }
-    if (!is_apart(objects)) {
-        return false;
-    }
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        objects_W_[i] = clean(objects[i].pose_W);
-    }
-    is_begun_ = true;
-    forget_slips();
-    within_m_ = kContactGaps * settings_.gap_m;
-    collect();
-    return true;
+void GodObjectTool::tell_goal(const Pose& held_W, std::span<const MovingFrame> objects,
+                              double now_s) noexcept {
+    goal_.stamp_s = now_s;
+    goal_.held_W = held_W;
+    goal_.n_objects = static_cast<std::int32_t>(objects.size());
+    std::ranges::copy(objects, goal_.objects.begin());
+    channels_->goal.publish(goal_);
 }
 
-void GodObjectTool::collect() noexcept {
-    collect_within();
-    // More than there is room for, since they were looked for far away: then only those that hold it.
-    if (const double least_m = kContactGaps * settings_.gap_m;
-        step_.too_many && within_m_ > least_m) {
-        within_m_ = least_m;
-        collect_within();
+GodObjectTool::News GodObjectTool::take_set() noexcept {
+    if (!channels_->set.take() || set().n_placements != goal_.n_placements) {
+        return News::none;
     }
-}
-
-void GodObjectTool::collect_within() noexcept {
-    step_.contacts = 0;
-    step_.least_gap_m = std::numeric_limits<double>::infinity();
-    step_.too_many = false;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        pairs_[i].collect(seen_from(objects_W_[i], pose_W_), within_m_);
-        step_.contacts += static_cast<int>(pairs_[i].contacts().size());
-        step_.least_gap_m = std::min(step_.least_gap_m, pairs_[i].least_gap_m());
-        step_.too_many = step_.too_many || pairs_[i].is_full();
-    }
-}
-
-const LeastConstraint& GodObjectTool::solve(const Vector6& wanted, bool pushes) noexcept {
-    solver_.clear();
-    dragging_.clear();
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        const bool moves = !is_same(objects_W_[i], goals_W_[i]);
-        for (const GodContact& contact : pairs_[i].contacts()) {
-            const Vector3 normal_W = R_WO * contact.normal_O;
-            double least_m = settings_.gap_m - contact.gap_m;
-            Vector3 carried_W = Vector3::Zero();
-            if (moves) {
-                carried_W = goals_W_[i] * contact.on_object_O - objects_W_[i] * contact.on_object_O;
-                least_m += normal_W.dot(carried_W);
-            }
-            const Vector3 arm_W =
-                R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
-            least_m = pushes ? least_m : std::min(least_m, 0.0);
-            if (has_friction_) {
-                dragging_.add(arm_W, normal_W, least_m, find_friction(i, contact), carried_W);
-            } else {
-                solver_.add(arm_W, normal_W, least_m);
-            }
-        }
-    }
-    return has_friction_ ? dragging_.solve(wanted) : solver_.solve(wanted);
-}
-
-Vector6 GodObjectTool::find_allowed(const Pose& wanted_W) noexcept {
-    const Vector6 wanted = find_way(pose_W_, wanted_W);
-    if (step_.contacts == 0) {
-        return wanted;
-    }
-    const Matrix3 inertia_W = compute_inertia_W(settings_.inertia, pose_W_.orientation);
-    if (has_friction_) {
-        dragging_.set_inertia(settings_.inertia.mass_kg, inertia_W);
-    } else {
-        solver_.set_inertia(settings_.inertia.mass_kg, inertia_W);
-    }
-    const LeastConstraint& allowed = solve(wanted, true);
-    return allowed.exact ? allowed.acceleration : solve(wanted, false).acceleration;
-}
-
-Pose GodObjectTool::find_object_W(std::size_t i, double share) const noexcept {
-    if (share == 1.0 || is_same(objects_W_[i], goals_W_[i])) {
-        return goals_W_[i];
-    }
-    return go_along(objects_W_[i], share * find_way(objects_W_[i], goals_W_[i]));
-}
-
-// Where an object may be at most at the end of this round: a turn so short that what it pushes goes straight.
-void GodObjectTool::set_goals(std::span<const MovingFrame> objects) noexcept {
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        goals_W_[i] = clean(objects[i].pose_W);
-        if (step_.contacts == 0 || is_same(objects_W_[i], goals_W_[i])) {
-            continue;
-        }
-        const Vector6 way = find_way(objects_W_[i], goals_W_[i]);
-        const double parts = std::max(way.head<3>().norm() / (kObjectWay * reach_m_),
-                                      way.tail<3>().norm() / kObjectTurn_rad);
-        if (parts > 1.0) {
-            goals_W_[i] = go_along(objects_W_[i], way / parts);
-        }
-    }
-}
-
-double GodObjectTool::find_free_share(const Vector6& way) noexcept {
-    double touch_m = kTouchShare * std::min(settings_.gap_m, step_.least_gap_m);
-    const bool may_come_near = touch_m >= kLeastTouch * settings_.gap_m;
-    const bool objects_move = !have_arrived();
-    is_cut_ = false;
-    // A sweep takes the shorter way round: what is seen from one pose to the next must turn by less than half a turn.
-    const double turn_rad = way.tail<3>().norm();
-    double share = turn_rad > kMostTurn_rad ? kMostTurn_rad / turn_rad : 1.0;
-    for (int i = 0; i < kMovingTries; ++i) {
-        const Pose end_W = go_along(pose_W_, share * way);
-        double free = 1.0;
-        for (std::size_t k = 0; k < pairs_.size() && free > 0.0; ++k) {
-            const Pose object_W = find_object_W(k, share);
-            const double of_pair = pairs_[k].find_free_share(seen_from(objects_W_[k], pose_W_),
-                                                             seen_from(object_W, end_W), touch_m);
-            if (of_pair < free) {
-                free = of_pair;
-                is_cut_ = pairs_[k].is_cut();
-            }
-        }
-        if (free == 1.0) {
-            return share;
-        }
-        if (!may_come_near) {
-            return 0.0;
-        }
-        share *= free;
-        // Seen from an object that stands still, the shorter way is a part of the longer one. From one that moves it may be another: it is looked
-        // at itself, with less room, for it ends where the longer one touched.
-        if (!objects_move) {
-            return share;
-        }
-        touch_m *= kTouchShare;
-    }
-    return 0.0;
-}
-
-void GodObjectTool::advance(const Vector6& way, double share) noexcept {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        objects_W_[i] = find_object_W(i, share);
-    }
-    pose_W_ = go_along(pose_W_, share * way);
-}
-
-bool GodObjectTool::have_arrived() const noexcept {
-    return std::ranges::equal(objects_W_, goals_W_, is_same);
-}
-
-// Stopped at once by what it did not know of, it would turn from one such contact to the next and back: so they are looked for ever farther, as
-// far as it wants to go. Where it gets on, ever less far.
-void GodObjectTool::look_farther(double way_m, double share, bool recovers) noexcept {
-    const double least_m = kContactGaps * settings_.gap_m;
-    if (share < kStuckShare && share * way_m < kStuckGaps * settings_.gap_m && !is_cut_ &&
-        step_.contacts < kManyContacts) {
-        const double most_m = std::max(least_m, std::min(way_m, kLookWidest * reach_m_));
-        within_m_ = std::clamp(kLookWidens * within_m_, least_m, most_m);
-    } else if (!recovers) {
-        within_m_ = std::max(0.5 * within_m_, least_m);
-    }
-}
-
-// One round; whether another may get farther.
-bool GodObjectTool::slide_once(const Pose& wanted_W, std::span<const MovingFrame> objects,
-                               bool recovers, double& longest_m) noexcept {
-    set_goals(objects);
-    Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
-    const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
-    const double none_m =
-        step_.rounds == 0 ? settings_.gap_m * kSettledShare : longest_m * kSettlesNext;
-    if (way_m <= none_m && have_arrived()) {
-        step_.settled = !recovers;
-        return recovers;
-    }
-    longest_m = std::max(longest_m, recovers ? 0.0 : way_m);
-    double share = find_free_share(way);
-    if (recovers && !(share > 0.0)) {
-        // So near any way on which an object goes too may touch at once: it waits.
-        std::ranges::copy(objects_W_, goals_W_.begin());
-        way = find_allowed(pose_W_);
-        share = find_free_share(way);
-        if (!(share > 0.0)) {
-            return true;
-        }
-    }
-    if (!(share > 0.0) ||
-        (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {
-        // What was looked for far away may be what holds it.
-        if (within_m_ > kContactGaps * settings_.gap_m) {
-            within_m_ = kContactGaps * settings_.gap_m;
-            collect();
-        }
-        return false;
-    }
-    advance(way, share);
-    look_farther(way_m, share, recovers);
-    collect();
-    return true;
-}
-
-void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> objects) noexcept {
-    step_.settled = false;
-    bool may_recover = true;
-    double longest_m = settings_.gap_m;
-    const bool is_timed = settings_.budget_us > 0.0;
-    const double end_s = is_timed ? monotonic_now_s() + 1.0e-6 * settings_.budget_us : 0.0;
-    for (step_.rounds = 0; step_.rounds < settings_.most_rounds; ++step_.rounds) {
-        if (is_timed && step_.rounds > 0 && monotonic_now_s() > end_s) {
-            break;
-        }
-        // Where it was stopped short of the gap at rest it is pushed there first: so short a way is as straight as its contacts take it to be.
-        const bool recovers = may_recover && step_.least_gap_m < kTooNear * settings_.gap_m;
-        may_recover = !recovers;
-        if (!slide_once(wanted_W, objects, recovers, longest_m)) {
-            break;
-        }
-    }
-    step_.wedged = false;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        step_.wedged = step_.wedged || !is_same(objects_W_[i], clean(objects[i].pose_W));
-    }
-}
-
-// Whether what is left of the force before may still be felt: only beside something.
-bool GodObjectTool::may_fade(const Wrench& before) noexcept {
-    const double near_m = kNearGaps * settings_.gap_m;
-    if (force_.size() > 0 || step_.least_gap_m <= near_m) {
-        return true;
-    }
-    if (before.force.isZero(0.0) && before.torque.isZero(0.0)) {
-        return false;
-    }
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (pairs_[i].has_within(seen_from(objects_W_[i], pose_W_), near_m)) {
-            return true;
-        }
-    }
-    return false;
+    return set().is_apart ? News::learnt : News::overlaps;
 }
 
 ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFrame> objects,
-                             double /*now_s*/, double dt_s) noexcept {
-    ToolFelt felt;
-    if (objects.size() != pairs_.size() || !is_number(handle) || !(dt_s > 0.0) ||
-        !std::ranges::all_of(objects, is_number) || !begin(objects)) {
-        felt.moved = false;
-        return felt;
+                             double now_s, double dt_s) noexcept {
+    ToolFelt nothing;
+    nothing.moved = false;
+    if (objects.size() != touches_.size() || !is_place(handle) || !(dt_s > 0.0) ||
+        !std::ranges::all_of(objects, [](const MovingFrame& one) { return is_place(one); })) {
+        return nothing;
     }
     const Pose held_W = find_held_W(handle.pose_W);
     const Wrench before = force_.compute(held_W);
-    // As far as it may go.
-    const Pose wanted_W = go_along(pose_W_, settings_.step_share * find_way(pose_W_, held_W));
-    slide(wanted_W, objects);
-    note_slips();
-    // What the contacts there are felt like.
-    tell_force();
-    force_.blend(before, held_W, dt_s, may_fade(before));
-    tell_touches();
-    tell_texture(dt_s);
-    const Felt told = feel(handle.pose_W);
-    felt.felt_W = told.all;
-    felt.spring_W = told.contacts;
-    felt.texture_W = {told.all.force - told.contacts.force, told.all.torque - told.contacts.torque};
-    for (const Rough& rough : rough_) {
-        felt.bumps_J += rough.texture.bumps_J();
+    // What holds the tool.
+    News news = News::none;
+    if (settings_.own_motion) {
+        news = go(held_W, objects, is_felt(before));
+    } else {
+        tell_goal(held_W, objects, now_s);
+        news = take_set();
     }
-    const double stiffness = settings_.coupling.shift.stiffness_N_per_m;
-    felt.spring_energy_J =
-        stiffness > 0.0 ? compute_shift_energy_J(settings_.coupling,
-                                                 compute_length(felt.spring_W.force) / stiffness)
-                        : 0.0;
-    felt.effort.n_looks = step_.rounds + 1;
-    felt.effort.n_points = step_.contacts;
-    felt.effort.in_time = step_.settled;
-    return felt;
+    if (news == News::overlaps) {
+        return nothing;
+    }
+    const bool is_new = news == News::learnt;
+    since_s_ += dt_s;
+    if (is_new) {
+        tell_force();
+    }
+    if (!settings_.own_motion) {
+        age_.step(now_s, is_known_ ? set().stamp_s : -1.0, dt_s);
+    }
+    // What that is felt like.
+    force_.blend(before, held_W, dt_s, is_known_ && set().is_near);
+    tell_touches();
+    if (is_new) {
+        tell_texture(since_s_);
+        since_s_ = 0.0;
+    }
+    return tell_felt(handle.pose_W, is_new);
 }
 
 }  // namespace fulcrum

@@ -19,24 +19,26 @@
 // What is felt of a tool that nothing is within 16 delta of is 0, to the bit, in that very step, however it came there and whatever `fade_s` is. Lifted
 // it comes off without a step of the force; slipped off an edge with one, which the safety gate's slew limit stretches (loop/safety.h).
 //
-// What is promised: after each step the tool's surface and each object's (as seen: where it stopped if it was wedged) do not cross, and neither
-// did they on the way, if they did not when the tool was placed. That holds for meshes with holes, cracks, flipped or loose triangles too, for
-// it is about triangles: no normal of a mesh is used. What lies in an open mesh's inside may have come through its hole. A tool so small that
-// it fits through a crack goes through.
+// Motion (1 to 4, god_motion.h) and force (5) are apart, as in the source: a step takes the newest set of contacts that the motion told, and makes the
+// force from it and from where the handle is now. With `own_motion` each step is one of the motion first; else that is for a thread beside, as fast as it
+// comes to (god_contact_set.h): then the tool lies where it got, the handle is felt in time against walls as they were there, and new contacts
+// blend in. Sets that are too old fade, and at last the tool is lost (contact_age.h).
 //
-// Thread: the haptic loop. Cost: by rounds and what lies near, not by how fine the meshes are: 52 us, 99 % 0.24 ms, for two bumpy balls of 27 380
-// triangles pressed on each other and dragged (`./fulcrum bench god-object-step`); `force` 0.5 us. No allocation after it was built.
+// What is promised of the motion stands with god_motion.h: nothing enters anything.
+//
+// Thread: the haptic loop. Cost: with its own motion by rounds and what lies near, not by how fine the meshes are: 52 us, 99 % 0.24 ms, for two bumpy balls
+// of 27 380 triangles pressed on each other and dragged (`./fulcrum bench god-object-step`); the force 0.5 us, `force` likewise. No allocation after it was
+// built.
 // Source: M. Ortega, S. Redon, S. Coquillart 2007, A six degree-of-freedom god-object method for haptic display of rigid bodies with surface
 // properties, IEEE TVCG 13(3), sections 3 and 4; k_s = 0.5 as there. The gap at rest, and bounds by gaps and by the objects' motion, are ours.
 #pragma once
 
-#include "haptics/base/error.h"
 #include "haptics/constraint/even_pressure.h"
-#include "haptics/constraint/friction_constraint.h"
-#include "haptics/surface/friction.h"
+#include "haptics/tool/beside_task.h"
+#include "haptics/tool/god_contact_set.h"
 #include "haptics/tool/god_force.h"
-#include "haptics/tool/god_pair.h"
-#include "haptics/tool/god_shading.h"
+#include "haptics/tool/god_motion.h"
+#include "haptics/tool/god_object_plan.h"
 #include "haptics/tool/god_texture.h"
 #include "haptics/tool/tool_solver.h"
 
@@ -46,55 +48,9 @@
 
 namespace fulcrum {
 
-/// Fixed at load.
-struct GodObjectSettings {
-    /// K, and the clamps: with stiffnesses the most that is felt. Dampers, and what saturates, are not used.
-    ToolCouplingSettings coupling{};
-    Inertia inertia{};                ///< M
-    Vector3 grip_T{Vector3::Zero()};  ///< where the hand holds it, metres from the centre of mass
-    Quaternion handle_turn{
-        Quaternion::Identity()};  ///< q_HT, unit: how the tool lies in the handle
-    double step_share = 0.5;      ///< k_s of the way to the handle a step; above 0, to 1
-    double gap_m = 1.0e-6;        ///< delta, 1e-9 to 1e-3; half of the tightest clearance at most
-    double fade_s = 0.05;         ///< of what a new set of contacts changes of the force; 0 to 1
-    int most_rounds = 12;         ///< a step, 1 to 1000
-    /// Of a step, by the machine's clock: after it no round is begun but the first, and the rest of the way goes on in the next step. 0: as
-    /// long as it takes; else 1 to 1e5.
-    double budget_us = 0.0;
-    int most_contacts = 2048;  ///< of an object, 1 to 65536
-};
-
-/// Refuses settings outside their ranges, NaN included.
-[[nodiscard]] Expected<void> validate(const GodObjectSettings& settings);
-
-/// How far the force of a wall may be off, N: K delta, for it is met a gap at rest before its surface, and the constraints' answer is exact to 1e-12.
-/// Between two walls that meet at an angle that over the sine of its half. Without friction, and besides what is still blended in.
-[[nodiscard]] double find_wall_error_N(const GodObjectSettings& settings) noexcept;
-
-/// One object and the tool, both made ready.
-struct GodObjectPlan {
-    std::shared_ptr<const GodSurface> object;
-    std::shared_ptr<const GodSurface> tool;  ///< about its centre of mass, along its principal axes
-    FrictionSettings friction{};             ///< between them; without a viscous part
-    /// What is felt turns evenly over their edges (god_shading.h); of the same meshes, or none.
-    std::shared_ptr<const GodShading> object_shading{};
-    std::shared_ptr<const GodShading> tool_shading{};
-    std::shared_ptr<const Texture> texture{};  ///< the object's relief, felt alone; or none
-};
-
-/// What one step did.
-struct GodObjectStep {
-    int rounds = 0;
-    int contacts = 0;          ///< where it ended
-    double least_gap_m = 0.0;  ///< of those; infinite without any
-    bool settled = true;       ///< nothing was left to go; else it goes on in the next step
-    bool wedged = false;       ///< objects wait for room: they are not where they were said to be
-    bool too_many = false;     ///< contacts; those left out are kept off by the sweep alone
-};
-
-class GodObjectTool final : public ToolSolver {
+class GodObjectTool final : public ToolSolver, public BesideSolver {
   public:
-    /// Refuses what `validate` refuses, and a plan without an object or with a mesh that is missing.
+    /// Refuses what `validate` refuses, a plan without an object or with a mesh that is missing, and more than kMaxSolids.
     [[nodiscard]] static Expected<GodObjectTool> build(const std::vector<GodObjectPlan>& plans,
                                                        const GodObjectSettings& settings);
     GodObjectTool(GodObjectTool&&) noexcept = default;
@@ -110,11 +66,23 @@ class GodObjectTool final : public ToolSolver {
     /// As often as asked between two steps, on their thread: what is felt of the last one's contacts if the handle is here. On the hand, about the grip.
     [[nodiscard]] Wrench force(const Pose& handle_W) noexcept;
 
+    [[nodiscard]] BesideTask* beside() noexcept override {
+        return settings_.own_motion ? nullptr : motion_.get();
+    }
+    [[nodiscard]] const ContactAge& contact_age() const noexcept override { return age_; }
+    void listen_to_rounds(RoundListener* listener) noexcept override {
+        listener_ = settings_.own_motion ? listener : nullptr;
+    }
+
     /// The centre of mass, along the principal axes.
     [[nodiscard]] const Pose& pose_W() const noexcept { return pose_W_; }
     /// Where the step left an object; where it is, unless it waits.
-    [[nodiscard]] const Pose& object_W(std::size_t i) const noexcept { return objects_W_[i]; }
-    [[nodiscard]] const GodObjectStep& last_step() const noexcept { return step_; }
+    [[nodiscard]] const Pose& object_W(std::size_t i) const noexcept {
+        return set().objects[i].object_W;
+    }
+    [[nodiscard]] GodObjectStep last_step() const noexcept {
+        return is_known_ ? set().step : GodObjectStep{};
+    }
 
     [[nodiscard]] Pose grip_W() const noexcept override;
     [[nodiscard]] const Vector3& centre_W() const noexcept override { return pose_W_.position; }
@@ -124,84 +92,59 @@ class GodObjectTool final : public ToolSolver {
   private:
     GodObjectTool(const std::vector<GodObjectPlan>& plans, const GodObjectSettings& settings);
     [[nodiscard]] Pose find_held_W(const Pose& handle_W) const noexcept;
-    [[nodiscard]] bool is_apart(std::span<const MovingFrame> objects) const noexcept;
-    // Whether tool and objects are apart where the tool was placed.
-    [[nodiscard]] bool begin(std::span<const MovingFrame> objects) noexcept;
-    void slide(const Pose& wanted_W, std::span<const MovingFrame> objects) noexcept;
-    bool slide_once(const Pose& wanted_W, std::span<const MovingFrame> objects, bool recovers,
-                    double& longest_m) noexcept;
-    // The allowed way nearest to the one that leads to `wanted_W`.
-    [[nodiscard]] Vector6 find_allowed(const Pose& wanted_W) noexcept;
-    // With contacts that are too near pushing the tool back, or only not letting it nearer.
-    [[nodiscard]] const LeastConstraint& solve(const Vector6& wanted, bool pushes) noexcept;
-    // How much of the way it, and the objects theirs, may go.
-    [[nodiscard]] double find_free_share(const Vector6& way) noexcept;
-    void set_goals(std::span<const MovingFrame> objects) noexcept;
-    [[nodiscard]] Pose find_object_W(std::size_t i, double share) const noexcept;
-    void advance(const Vector6& way, double share) noexcept;
-    [[nodiscard]] bool have_arrived() const noexcept;
-    void collect() noexcept;
-    void collect_within() noexcept;
-    void look_farther(double way_m, double share, bool recovers) noexcept;
-    [[nodiscard]] bool may_fade(const Wrench& before) noexcept;
+    // How the newest set of contacts came by.
+    enum class News { none, overlaps, learnt };
+    [[nodiscard]] News go(const Pose& held_W, std::span<const MovingFrame> objects,
+                          bool is_felt) noexcept;
+    void tell_goal(const Pose& held_W, std::span<const MovingFrame> objects, double now_s) noexcept;
+    [[nodiscard]] News take_set() noexcept;
+    // Taken last; counts where it is known.
+    [[nodiscard]] const GodContactSet& set() const noexcept {
+        return channels_ ? channels_->set.value() : *own_set_;
+    }
+    [[nodiscard]] std::span<const GodPress> presses() const noexcept {
+        return is_known_ ? set().all() : std::span<const GodPress>{};
+    }
     void tell_force() noexcept;
     void tell_touches() noexcept;
-    [[nodiscard]] double find_friction(std::size_t i, const GodContact& contact) const noexcept;
-    [[nodiscard]] Vector3 find_felt_normal_W(std::size_t i, const GodContact& contact,
-                                             const Matrix3& R_WO) const noexcept;
     // An object with a relief.
     struct Rough {
         std::size_t object = 0;
         GodTexture texture;
-        std::size_t first = 0;  // of its contacts, among all that press
     };
-    void tell_relief(Rough& rough, bool presses, double dt_s) noexcept;
+    void tell_relief(Rough& rough, bool is_pressed, double dt_s) noexcept;
     // By the contacts alone, and with the texture; on the hand, about the grip.
     struct Felt {
         Wrench contacts{}, all{};
     };
     [[nodiscard]] Felt feel(const Pose& handle_W) noexcept;
+    [[nodiscard]] ToolFelt tell_felt(const Pose& handle_W, bool is_new) noexcept;
     void tell_texture(double dt_s) noexcept;
     [[nodiscard]] bool share_pressure() noexcept;
     // As far as what presses now is that of the step.
     [[nodiscard]] Wrench find_texture(double held_N) const noexcept;
     // What the contacts hold, a turn at the tool's reach.
     [[nodiscard]] double find_held_N() const noexcept;
-    void note_slips() noexcept;
-    void forget_slips() noexcept;
     [[nodiscard]] Wrench about_grip(const Wrench& about_centre,
                                     const Pose& handle_W) const noexcept;
 
     GodObjectSettings settings_;
-    std::vector<GodPair> pairs_;
-    std::vector<Pose> objects_W_;
-    std::vector<Pose> goals_W_;  // of this round
+    std::unique_ptr<GodChannels> channels_;   // null with its own motion
+    std::unique_ptr<GodContactSet> own_set_;  // then this
+    std::unique_ptr<GodMotion> motion_;       // the other thread's, but for is_free, without
+    RoundListener* listener_ = nullptr;
     std::vector<ToolTouch> touches_;
-    // Where the tool was over an object before the last step and after it.
-    struct Slip {
-        Pose from_OT{}, to_OT{};
-    };
-    bool has_friction_;
-    bool is_followed_;                         // slips are known
-    std::vector<FrictionSettings> frictions_;  // of objects
-    std::vector<Slip> slips_;
-    struct Shading {
-        std::shared_ptr<const GodShading> object, tool;
-    };
-    std::vector<Shading> shadings_;  // empty where nothing is shaded
-    std::vector<Rough> rough_;       // objects
+    std::vector<Pose> seen_OT_;  // where the tool was over each object by the last set
+    std::vector<Rough> rough_;   // objects
     EvenPressure pressure_;
-    Wrench texture_W_{};       // on the tool, about its centre of mass, in the last step
+    Wrench texture_W_{};       // on the tool, about its centre of mass, by the last set
     double textured_N_ = 0.0;  // that the contacts held then
-    LeastConstraintSolver solver_;
-    FrictionConstraintSolver dragging_;  // in its place, where there is friction
     GodForce force_;
+    GodGoal goal_{};
+    ContactAge age_;
     Pose pose_W_{};
-    double reach_m_ = 0.0;   // of the tool
-    double within_m_ = 0.0;  // what is nearer is a contact
-    bool is_begun_ = false;
-    bool is_cut_ = false;  // the way of this round, not by what touches
-    GodObjectStep step_{};
+    bool is_known_ = false;  // a set of contacts of where the tool is
+    double since_s_ = 0.0;   // from the last set on
 };
 
 }  // namespace fulcrum

@@ -5,20 +5,37 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 namespace fulcrum {
 namespace {
 
 constexpr double kLeastStepShare = 1.0e-3;
-constexpr double kSmallestGap_m = 1.0e-9;
+constexpr double kSmallestGap_m = 1.0e-8;
 constexpr double kLargestGap_m = 1.0e-3;
 constexpr double kMostContacts = 65536.0;
 
-std::size_t find_capacity(const std::vector<GodObjectPlan>& plans,
-                          const GodObjectSettings& settings) {
-    return plans.size() * static_cast<std::size_t>(settings.most_contacts);
+bool fits(const GodSurface& surface, const GodShading* shading) {
+    return shading == nullptr || shading->n_triangles() == surface.swept().n_triangles();
 }
+
+// Of what presses at a time.
+std::size_t find_most_presses(const std::vector<GodObjectPlan>& plans,
+                              const GodObjectSettings& settings) {
+    return std::min(plans.size() * static_cast<std::size_t>(settings.most_contacts), kMostPresses);
+}
+
+GodForceSettings make_force_settings(const std::vector<GodObjectPlan>& plans,
+                                     const GodObjectSettings& settings) {
+    return {.inertia = settings.inertia,
+            .stiffness_N_per_m = settings.coupling.shift.stiffness_N_per_m,
+            .step_share = settings.step_share,
+            .fade_s = settings.fade_s,
+            .has_friction = has_friction(plans)};
+}
+
+}  // namespace
 
 bool has_friction(const std::vector<GodObjectPlan>& plans) {
     return std::ranges::any_of(plans,
@@ -38,26 +55,14 @@ double find_reach_m(const std::vector<GodObjectPlan>& plans) {
     return reach_m;
 }
 
-bool fits(const GodSurface& surface, const GodShading* shading) {
-    return shading == nullptr || shading->n_triangles() == surface.swept().n_triangles();
-}
-
-GodForceSettings make_force_settings(const std::vector<GodObjectPlan>& plans,
-                                     const GodObjectSettings& settings) {
-    return {.inertia = settings.inertia,
-            .stiffness_N_per_m = settings.coupling.shift.stiffness_N_per_m,
-            .step_share = settings.step_share,
-            .fade_s = settings.fade_s,
-            .has_friction = has_friction(plans)};
-}
-
-}  // namespace
-
 Expected<void> validate(const GodObjectSettings& settings) {
     if (const auto checked = validate(settings.coupling); !checked) {
         return checked;
     }
     if (const auto checked = validate(settings.inertia); !checked) {
+        return checked;
+    }
+    if (const auto checked = validate(settings.age); !checked) {
         return checked;
     }
     const std::array<Range, 10> ranges{
@@ -82,35 +87,22 @@ double find_wall_error_N(const GodObjectSettings& settings) noexcept {
 GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
                              const GodObjectSettings& settings)
     : settings_(settings),
-      objects_W_(plans.size()),
-      goals_W_(plans.size()),
+      channels_(settings.own_motion ? nullptr : std::make_unique<GodChannels>()),
+      own_set_(settings.own_motion ? std::make_unique<GodContactSet>() : nullptr),
       touches_(plans.size()),
-      has_friction_(has_friction(plans)),
-      is_followed_(has_friction_ || has_texture(plans)),
-      slips_(plans.size()),
-      pressure_(has_texture(plans) ? find_capacity(plans, settings) : 0, find_reach_m(plans)),
-      solver_(has_friction_ ? 0 : find_capacity(plans, settings)),
-      dragging_(has_friction_ ? find_capacity(plans, settings) : 0),
-      force_(make_force_settings(plans, settings), find_capacity(plans, settings)),
-      reach_m_(find_reach_m(plans)) {
+      seen_OT_(plans.size()),
+      pressure_(has_texture(plans) ? find_most_presses(plans, settings) : 0, find_reach_m(plans)),
+      force_(make_force_settings(plans, settings), find_most_presses(plans, settings)),
+      age_(settings.age) {
     settings_.handle_turn.normalize();
-    pairs_.reserve(plans.size());
-    frictions_.reserve(plans.size());
-    const bool is_shaded = std::ranges::any_of(plans, [](const GodObjectPlan& plan) {
-        return plan.object_shading != nullptr || plan.tool_shading != nullptr;
-    });
-    for (const GodObjectPlan& plan : plans) {
-        if (is_shaded) {
-            shadings_.push_back({plan.object_shading, plan.tool_shading});
+    motion_ = std::make_unique<GodMotion>(plans, settings_, channels_.get());
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        if (plans[i].texture != nullptr) {
+            rough_.push_back({i,
+                              {plans[i].texture,
+                               {settings.coupling.shift.stiffness_N_per_m, motion_->reach_m(),
+                                settings.fade_s}}});
         }
-        frictions_.push_back(plan.friction);
-        if (plan.texture != nullptr) {
-            rough_.push_back(
-                {pairs_.size(),
-                 {plan.texture,
-                  {settings.coupling.shift.stiffness_N_per_m, reach_m_, settings.fade_s}}});
-        }
-        pairs_.emplace_back(plan.object, plan.tool, settings.most_contacts);
     }
 }
 
@@ -123,6 +115,10 @@ Expected<GodObjectTool> GodObjectTool::build(const std::vector<GodObjectPlan>& p
     }
     if (plans.empty()) {
         return fail("the tool has no object to touch", {}, "make a body solid");
+    }
+    if (plans.size() > static_cast<std::size_t>(kMaxSolids)) {
+        return fail("the tool meets " + std::to_string(plans.size()) + " objects", {},
+                    "let it meet at most " + std::to_string(kMaxSolids));
     }
     const auto is_missing = [](const GodObjectPlan& plan) {
         return plan.object == nullptr || plan.tool == nullptr;
@@ -149,20 +145,15 @@ Expected<GodObjectTool> GodObjectTool::build(const std::vector<GodObjectPlan>& p
 }
 
 std::size_t GodObjectTool::memory_bytes() const noexcept {
-    constexpr std::size_t kPerRow = sizeof(Vector6) + 2 * sizeof(double);
-    std::size_t bytes = sizeof(*this) + 2 * objects_W_.capacity() * sizeof(Pose) +
-                        touches_.capacity() * sizeof(ToolTouch) + force_.memory_bytes() +
-                        slips_.capacity() * sizeof(Slip) +
-                        frictions_.capacity() * sizeof(FrictionSettings) +
-                        dragging_.memory_bytes() + pressure_.memory_bytes();
+    std::size_t bytes = sizeof(*this) + motion_->memory_bytes() +
+                        (channels_ ? sizeof(GodChannels) : sizeof(GodContactSet)) +
+                        touches_.capacity() * sizeof(ToolTouch) +
+                        seen_OT_.capacity() * sizeof(Pose) + force_.memory_bytes() +
+                        pressure_.memory_bytes();
     for (const Rough& rough : rough_) {
         bytes += sizeof(Rough) - sizeof(GodTexture) + rough.texture.memory_bytes();
     }
-    for (const GodPair& pair : pairs_) {
-        bytes += sizeof(GodPair) + pair.memory_bytes() + pair.object().memory_bytes() +
-                 (has_friction_ ? 0 : static_cast<std::size_t>(settings_.most_contacts) * kPerRow);
-    }
-    return bytes + (pairs_.empty() ? 0 : pairs_.front().tool().memory_bytes());
+    return bytes;
 }
 
 }  // namespace fulcrum

@@ -54,6 +54,13 @@ GodPair::GodPair(std::shared_ptr<const GodSurface> object, std::shared_ptr<const
       places_(std::bit_ceil(2U * static_cast<std::size_t>(most_contacts))),
       least_gap_m_(std::numeric_limits<double>::infinity()) {}
 
+void GodPair::forget() noexcept {
+    front_.forget();
+    usual_way_m_ = 0.0;
+    most_way_m_ = std::numeric_limits<double>::infinity();
+    n_held_ = 0;
+}
+
 double GodPair::find_rise_m(const GodNear& near, const NearFeatures& features,
                             const Vector3& normal_O, const Pose& X_OT) const noexcept {
     const double epsilon = std::max(

@@ -49,7 +49,7 @@ class GodPair {
             int most_contacts);
 
     /// Whatever was known of where things are: forgotten. For a tool put elsewhere.
-    void forget() noexcept { front_.forget(); }
+    void forget() noexcept;
     /// All features within `within_m` of each other where the tool is held at X_OT, beside which no surface rises by more.
     void collect(const Pose& X_OT, double within_m) noexcept;
     [[nodiscard]] std::span<const GodContact> contacts() const noexcept { return contacts_.all(); }

@@ -16,7 +16,7 @@ constexpr double kNoRelief_N =
     1.0e-9;  // of a relief that is level everywhere rounding leaves slopes
 
 // From one length towards another place, by so much at most.
-Vector3 go_towards(const Vector3& from, const Vector3& to, double most) noexcept {
+Vector3 follow(const Vector3& from, const Vector3& to, double most) noexcept {
     return from + shorten(Vector3(to - from), most);
 }
 
@@ -90,8 +90,8 @@ const Wrench& GodTexture::finish(double dt_s) noexcept {
             most_N * (dt_s / settings_.fade_s + way_m / reach_m) +
             stiffness *
                 (bounds.per_m * way_m + bounds.per_deep * std::abs(depth_m_ - depth_before_m_));
-        felt_O_.force = go_towards(felt_O_.force, sum_O_.force, change_N);
-        felt_O_.torque = go_towards(felt_O_.torque, sum_O_.torque, reach_m * change_N);
+        felt_O_.force = follow(felt_O_.force, sum_O_.force, change_N);
+        felt_O_.torque = follow(felt_O_.torque, sum_O_.torque, reach_m * change_N);
     } else {
         felt_O_ = sum_O_;
     }

@@ -29,7 +29,7 @@ struct ReliefSteepness {
     double slope = 0.0;            ///< at most
     double curvature_per_m = 0.0;  ///< likewise: of the slope, a metre
 };
-/// Of the finest level. Cost: a sample of it each.
+/// Of the finest level. Cost: four samples of it each.
 [[nodiscard]] ReliefSteepness find_steepness(const TextureMap& map);
 
 /// Fixed at load.

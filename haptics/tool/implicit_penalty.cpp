@@ -3,8 +3,15 @@
 #include "haptics/math/length.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fulcrum {
+namespace {
+
+constexpr double kNearRises_s = 0.005;  // and falls: a step of 1 ms is a fifth of what comes
+
+}  // namespace
+
 Pose ImplicitPenaltyTool::held_W() const noexcept {
     return {state_.pose_W * settings_.grip_T, state_.pose_W.orientation};
 }
@@ -24,6 +31,7 @@ void ImplicitPenaltyTool::place(const Pose& handle_W) noexcept {
     ++place_.n_placements;
     age_.restart();
     round_due_s_ = 0.0;
+    near_share_ = 0.0;
     std::ranges::fill(touches_, ToolTouch{});
 }
 
@@ -79,6 +87,16 @@ bool ImplicitPenaltyTool::is_near() const noexcept {
     return settings_.contacts.model == PenaltyModel::planes ? planes_.is_near() : taylor_.is_near();
 }
 
+// The coupling drags the tool's mass before anything touches: with the first cluster that comes bit by bit, with the last it goes so.
+void ImplicitPenaltyTool::note_near(double dt_s) noexcept {
+    if (!settings_.silent_in_free_space) {
+        near_share_ = 1.0;
+        return;
+    }
+    const double step = dt_s / kNearRises_s;
+    near_share_ = std::clamp(near_share_ + (is_near() ? step : -step), 0.0, 1.0);
+}
+
 void ImplicitPenaltyTool::tell_touches(std::span<const MovingFrame> objects) noexcept {
     std::ranges::fill(touches_, ToolTouch{});
     if (settings_.contacts.model != PenaltyModel::planes) {
@@ -103,13 +121,13 @@ void ImplicitPenaltyTool::tell_touches(std::span<const MovingFrame> objects) noe
 ToolFelt ImplicitPenaltyTool::feel(const ToolCouplingLoad& coupling, const MovingFrame& handle,
                                    double now_s) const noexcept {
     ToolFelt felt;
-    if (!is_near() && settings_.silent_in_free_space) {
+    if (near_share_ == 0.0) {
         return felt;
     }
     const Pose grip = held_W();
     const Wrench pull = compute_tool_coupling(settings_.coupling, {handle.pose_W, {}}, {grip, {}});
     felt.felt_W = coupling.compute_felt_wrench(state_, now_s);
-    const double share = age_.share();
+    const double share = near_share_ * age_.share();
     felt.felt_W.force = share * limit_length(felt.felt_W.force, most_felt_N_);
     felt.felt_W.torque = share * limit_length(felt.felt_W.torque, most_felt_Nm_);
     felt.spring_W = {-share * pull.force, -share * pull.torque};
@@ -122,7 +140,8 @@ ToolFelt ImplicitPenaltyTool::feel(const ToolCouplingLoad& coupling, const Movin
 
 ToolFelt ImplicitPenaltyTool::move(const MovingFrame& handle, std::span<const MovingFrame> objects,
                                    double now_s, double dt_s) noexcept {
-    if (objects.size() != touches_.size() || !is_finite(handle) || !are_finite(objects)) {
+    if (objects.size() != touches_.size() || !is_finite(handle) || !are_finite(objects) ||
+        !std::isfinite(now_s) || !(dt_s >= 0.0) || !std::isfinite(dt_s)) {
         ToolFelt nothing;
         nothing.moved = false;
         return nothing;
@@ -155,6 +174,7 @@ ToolFelt ImplicitPenaltyTool::move(const MovingFrame& handle, std::span<const Mo
         state_.velocity_W = {};
     }
     // What the hand feels of it.
+    note_near(dt_s);
     tell_touches(objects);
     ToolFelt felt = feel(coupling, held, now_s);
     felt.moved = result.moved();

@@ -7,7 +7,8 @@
 // without for a stated time, then less and less is felt (contact_age.h).
 //
 // The coupling saturates, so that no hand presses the tool deeper than the force that it can feel does. In free space, where no cluster is, the hand
-// feels exactly nothing unless `silent_in_free_space` is off; then it feels the tool's mass, as the source's does.
+// feels exactly nothing unless `silent_in_free_space` is off; then it feels the tool's mass, as the source's does. As clusters come and go within d
+// that mass comes and goes over 5 ms.
 // One linear solve a step, at the old pose, as the source has it. More, up to `newton_iterations`, follow a contact that opens and closes within
 // the step: over a bumpy ball in a wandering hand the force then goes by 1.0 N in a millisecond at most instead of 1.9, at 1.9 solves a step.
 // What a penalty method cannot promise: a tool that passes through a thin wall between two rounds of the contact thread is behind it.
@@ -113,6 +114,7 @@ class ImplicitPenaltyTool final : public ToolSolver, public BesideSolver {
     void take_model(double began_s) noexcept;
     void note_age(double began_s, double dt_s) noexcept;
     [[nodiscard]] bool is_near() const noexcept;
+    void note_near(double dt_s) noexcept;
     void tell_touches(std::span<const MovingFrame> objects) noexcept;
     [[nodiscard]] ToolFelt feel(const ToolCouplingLoad& coupling, const MovingFrame& handle,
                                 double now_s) const noexcept;
@@ -130,6 +132,7 @@ class ImplicitPenaltyTool final : public ToolSolver, public BesideSolver {
     ToolPlace place_{};
     ContactAge age_;
     double round_due_s_ = 0.0;
+    double near_share_ = 0.0;   // of the coupling, that is felt: 1 with clusters near
     double most_felt_N_ = 0.0;  // 0: as much as there is
     double most_felt_Nm_ = 0.0;
 };

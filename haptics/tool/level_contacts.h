@@ -1,7 +1,7 @@
 // Near contacts by contact levels of detail (levels/level_pairs.h): triangles against triangles, as finely as can be felt.
 //
 // Beside field_contacts: needs no field and no points, knows no band, and its time goes down with a tolerance or is bounded by a budget. Where
-// time was up `answer()` says how many pairs were left, and how far off depths may be: times a contact's stiffness that is its force's error.
+// time was up `answer()` says how many pairs were left, how deep these may be, and how far off a contact's push then is.
 // What is deeper inside than d is found only where the surfaces cross; where one is wholly inside the other, by how often a mesh winds round a
 // point of the other's (winding_number.h), where clusters of triangles are given for that.
 //

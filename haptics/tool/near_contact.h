@@ -35,7 +35,7 @@ class ContactFinder {
                       BoundedList<NearContact>& near) noexcept = 0;
     /// Of the next questions: each may take so long, as far as the method can be hurried; 0: as long as it takes.
     virtual void limit(double /*budget_us*/) noexcept {}
-    /// Whether the last answer was coarser than asked for, or has not all of it, for want of time or room.
+    /// Whether the last answer was coarser than asked for, or has not all of it, for want of time or room; what `find` thinned out is no lack.
     [[nodiscard]] virtual bool is_cut() const noexcept { return false; }
     /// Whether one lies inside the other where `find` finds nothing.
     [[nodiscard]] virtual bool is_enclosed(const Pose& /*X_OT*/) const noexcept { return false; }

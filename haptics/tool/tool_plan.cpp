@@ -113,7 +113,8 @@ ToolPlan make_god_object_plan(const ToolOrder& order, const std::shared_ptr<cons
     return {std::move(plans), make_clamped(order)};
 }
 
-GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings) {
+GodObjectSettings make_god_object_settings(const ToolPlan& plan) {
+    const VoxelToolSettings& settings = plan.settings;
     GodObjectSettings made;
     made.coupling = settings.coupling;
     made.inertia = settings.inertia;
@@ -123,6 +124,8 @@ GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings) {
     made.grip_T = settings.grip_T;
     made.handle_turn = settings.handle_turn;
     made.budget_us = settings.budget_us;
+    made.own_motion = !plan.beside;
+    made.age = plan.age;
     return made;
 }
 
@@ -212,9 +215,7 @@ std::size_t count_points(const ToolPlan& plan) {
 
 bool has_texture(const ToolPlan& plan) {
     const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects);
-    return meshes != nullptr && std::ranges::any_of(*meshes, [](const GodObjectPlan& object) {
-               return object.texture != nullptr;
-           });
+    return meshes != nullptr && has_texture(*meshes);
 }
 
 Expected<void> validate(const ToolPlan& plan) {
@@ -225,7 +226,7 @@ Expected<void> validate(const ToolPlan& plan) {
         return VoxelTool::build(*voxels, plan.settings).map([](const VoxelTool&) {});
     }
     if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
-        return GodObjectTool::build(*meshes, make_god_object_settings(plan.settings))
+        return GodObjectTool::build(*meshes, make_god_object_settings(plan))
             .map([](const GodObjectTool&) {});
     }
     return FieldTool::build(std::get<std::vector<FieldSamplingPlan>>(plan.objects), plan.settings)
@@ -242,7 +243,7 @@ std::unique_ptr<ToolSolver> make_tool(const ToolPlan& plan) {
     }
     if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
         return std::make_unique<GodObjectTool>(
-            GodObjectTool::build(*meshes, make_god_object_settings(plan.settings)).value());
+            GodObjectTool::build(*meshes, make_god_object_settings(plan)).value());
     }
     return std::make_unique<FieldTool>(
         FieldTool::build(std::get<std::vector<FieldSamplingPlan>>(plan.objects), plan.settings)

@@ -96,7 +96,7 @@ struct LevelOrder {
     const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
     const std::vector<std::shared_ptr<const GodSurface>>& objects);
 /// Of such a plan: what its tool is built with.
-[[nodiscard]] GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings);
+[[nodiscard]] GodObjectSettings make_god_object_settings(const ToolPlan& plan);
 
 /// Of such a plan: what its tool is built from.
 [[nodiscard]] ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan);

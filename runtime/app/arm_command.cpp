@@ -193,10 +193,17 @@ int arm_command(const Options& options) {
     return interrupt_exit_code();
 }
 
-int stop_command() {
-    const auto stopped = stop_all_hands();
+int stop_command(const Options& options) {
+    const auto stopped = stop_all_hands({.only = options.only_process});
     if (!stopped) {
         return complain(stopped.error(), 1);
+    }
+    if (*stopped == 0 && options.only_process) {
+        std::fprintf(
+            stderr,
+            "Process %d moves no hand of yours: nothing was stopped. Without --only all are.\n",
+            *options.only_process);
+        return 1;
     }
     std::printf(*stopped == 0
                     ? "Nothing of yours is running that moves a hand.\n"

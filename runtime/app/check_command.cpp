@@ -5,14 +5,18 @@
 #include "runtime/app/lesson_parts.h"
 #include "runtime/app/question_trials.h"
 #include "runtime/app/quiet_run.h"
+#include "runtime/app/shown_sentences.h"
 #include "runtime/lesson/free_english.h"
+#include "runtime/lesson/list_notes.h"
 #include "runtime/lesson/question_notes.h"
 #include "runtime/scene/picture/grey_picture.h"
 
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace {
@@ -74,32 +78,54 @@ void add_picture_notes(const LessonDescription& lesson, const std::filesystem::p
     }
 }
 
+/// Two rigid bodies in one place burst apart as soon as they may move.
+void add_place_notes(const LessonDescription& lesson, std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
+        const BodyDescription& body = lesson.bodies[i];
+        for (std::size_t j = 0; j < i; ++j) {
+            const BodyDescription& other = lesson.bodies[j];
+            const bool both = body.rigid && other.rigid && body.visible && other.visible;
+            if (both && body.position_W == other.position_W) {
+                notes.push_back(at_line(body.line) + body.name + " stands where " + other.name +
+                                " of line " + std::to_string(other.line) +
+                                " does; give one of them another `at`.");
+            }
+        }
+    }
+}
+
 /// The Lua texts that stand in the lesson's own folder.
-std::vector<std::string> own_texts(const LessonRun& run, const std::filesystem::path& folder) {
-    std::vector<std::string> texts;
+std::vector<LessonSource> own_sources(const LessonRun& run, const std::filesystem::path& folder) {
+    std::vector<LessonSource> sources;
     for (const std::filesystem::path& path : run.process().files_read()) {
         if (path.parent_path() == folder) {
             std::ifstream file(path);
-            texts.emplace_back(std::istreambuf_iterator<char>(file),
-                               std::istreambuf_iterator<char>());
+            sources.push_back(
+                {path.filename().string(), {std::istreambuf_iterator<char>(file), {}}});
         }
     }
-    return texts;
+    return sources;
 }
 
 /// What can be seen before it plays, and is no mistake.
 std::vector<std::string> notes_before_play(const Installation& installation, const LessonRun& run,
-                                           const std::filesystem::path& folder) {
+                                           const std::filesystem::path& folder,
+                                           const std::vector<LessonSource>& own_files,
+                                           const dialogue::FormCheck& check) {
     const LessonDescription& lesson = run.description();
     std::vector<std::string> notes;
     add_mesh_notes(installation.places, folder, lesson, notes);
     add_picture_notes(lesson, folder, notes);
-    NoteSources sources{own_texts(run, folder)};
-    if (auto check = open_free_english(things_of(lesson)); check) {
-        sources.check = std::move(*check);
+    add_place_notes(lesson, notes);
+    NoteSources sources;
+    for (const LessonSource& file : own_files) {
+        sources.texts.push_back(file.text);
     }
-    for (std::string& note : question_notes(lesson, sources)) {
-        notes.push_back(std::move(note));
+    sources.check = check;
+    // What follows from a noun that is written as a name is not told again of each sentence.
+    for (const auto& found :
+         {list_notes(lesson), question_notes(with_small_nouns(lesson), sources)}) {
+        notes.insert(notes.end(), found.begin(), found.end());
     }
     notes.insert(notes.end(), run.plan().notices.begin(), run.plan().notices.end());
     return notes;
@@ -109,24 +135,43 @@ std::vector<std::string> notes_before_play(const Installation& installation, con
 struct Checked {
     std::string lesson;
     std::size_t n_notes = 0;
+    dialogue::FormCheck check{};  ///< empty where what it takes is not installed
+    std::optional<ShownSentences> shown{};
 };
 
 /// Plays the lesson's own test; gives the exit code.
 int check_as_meant(const Installation& installation, LessonRun& run,
                    const std::filesystem::path& folder, Checked& checked) {
     checked.lesson = run.description().id;
-    checked.n_notes = say_each(notes_before_play(installation, run, folder));
+    if (auto check = open_english_review(things_of(run.description())); check) {
+        checked.check = std::move(*check);
+    }
+    const std::vector<LessonSource> sources = own_sources(run, folder);
+    checked.shown.emplace(sources).add_things(run.description());
+    checked.shown->add_questions(run.description());
+    const std::vector<std::string> notes =
+        notes_before_play(installation, run, folder, sources, checked.check);
     // What stands in functions is only known to be right when it runs.
     QuestionTrials trials(run);
     HeadlessSettings settings;
     settings.end_s = kCheckedPlay_s;
     settings.shows_prints = false;
-    settings.after_frame = [&](double now_s) { trials.try_open_one(now_s); };
+    settings.after_frame = [&](double now_s) {
+        trials.try_open_one(now_s);
+        checked.shown->look(run.session().hud());
+    };
     const auto outcome = run_headless(run, settings);
     if (!outcome || trials.failed()) {
-        return complain(trials.failed() ? *trials.failed() : outcome.error(), 1);
+        // What ends the play comes first: what else is told may follow from it.
+        const int code = complain(trials.failed() ? *trials.failed() : outcome.error(), 1);
+        say_each(notes);
+        return code;
     }
-    if (const int unmet = tell_unmet_examples(run); unmet != 0) {
+    checked.n_notes = say_each(notes);
+    const auto take_answer = [&](const KnowledgeDescription& known, const std::string& answer) {
+        checked.shown->add_answer(known.id, known.line, answer);
+    };
+    if (const int unmet = tell_unmet_examples(run, take_answer); unmet != 0) {
         return unmet;
     }
     trials.try_others();
@@ -135,10 +180,11 @@ int check_as_meant(const Installation& installation, LessonRun& run,
 }
 
 /// Plays it again with a learner who never knows, so that hints and what is felt again come too, and anything may happen at its end.
-int check_with_errors(LessonRun& run) {
+int check_with_errors(LessonRun& run, ShownSentences& shown) {
     HeadlessSettings settings;
     settings.end_s = kCheckedPlay_s;
     settings.shows_prints = false;
+    settings.after_frame = [&](double /*now_s*/) { shown.look(run.session().hud()); };
     if (const auto outcome = run_headless(run, settings); !outcome) {
         return complain(outcome.error(), 1);
     }
@@ -159,8 +205,17 @@ int check_command(const Installation& installation, const Options& options) {
         return code != 0 ? code : interrupt_exit_code();
     }
     request.learner_rates = kWrongLearner;
-    code = with_run(installation, options, request,
-                    [](LessonRun& run, const auto& /*folder*/) { return check_with_errors(run); });
+    code = with_run(installation, options, request, [&](LessonRun& run, const auto& /*folder*/) {
+        return check_with_errors(run, *checked.shown);
+    });
+    const ShownReview review = checked.shown->review(checked.check);
+    checked.n_notes += say_each(review.notes);
+    if (!review.unread.empty()) {
+        say_each(
+            {"Nothing wrong is found in these, but a grammar could not read them; read them "
+             "once more:"});
+        say_each(review.unread);
+    }
     if (code == 0 && checked.n_notes == 0) {
         std::printf("%s: no mistakes found.\n", checked.lesson.c_str());
     } else if (code == 0) {

@@ -54,6 +54,42 @@ int count_unmet(const LessonTestDescription& test, const SessionResult& result) 
     return unmet;
 }
 
+// The answers of a play that were not right, one sentence each: "lesson.lua:40: the answer "the egg" was marked wrong."
+void name_wrong_answers(const LessonTestDescription& test, const std::vector<std::string>& talk) {
+    for (const std::string& line : talk) {
+        const std::size_t who = line.find("learner  ");
+        const std::size_t verdict = line.rfind(" (");
+        if (who == std::string::npos || verdict == std::string::npos || who > verdict) {
+            continue;
+        }
+        const std::size_t begin = who + std::string_view("learner  ").size();
+        const std::string marked = line.substr(verdict + 2, line.size() - verdict - 3);
+        if (marked.starts_with("wrong") || marked == "not understood") {
+            std::fprintf(stderr, "lesson.lua:%d: the answer \"%s\" was %s.\n", test.line,
+                         line.substr(begin, verdict - begin).c_str(),
+                         marked == "not understood" ? "not understood" : "marked wrong");
+        }
+    }
+}
+
+// What the test asks and the lesson knows nothing of; how many.
+int tell_unknown_asked(LessonRun& run) {
+    const LessonTestDescription& test = run.description().tests.front();
+    const auto& known = run.session().knowledge();
+    int unknown = 0;
+    for (const std::string& said : test.say) {
+        if (said.starts_with('?') && (!known || !known->find(said.substr(1)))) {
+            std::fprintf(
+                stderr,
+                "lesson.lua:%d: the test asks \"%s\", and the lesson knows nothing that this "
+                "asks for; add it to know.things or an L:knows, or take it out.\n",
+                test.line, said.substr(1).c_str());
+            ++unknown;
+        }
+    }
+    return unknown;
+}
+
 // Plays the lesson under the virtual clock, each stage timed. The lesson's prints would be in the way of the figures.
 Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& end_s) {
     StageClock clock(run.plan());
@@ -83,8 +119,8 @@ Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& e
 
 }  // namespace
 
-int tell_unmet_examples(LessonRun& run) {
-    const auto unmet = find_unmet_examples(run);
+int tell_unmet_examples(LessonRun& run, const AnswerTaker& take_answer) {
+    const auto unmet = find_unmet_examples(run, take_answer);
     if (!unmet) {
         return complain(unmet.error(), 1);
     }
@@ -181,6 +217,8 @@ int test_by(const Installation& installation, const Options& options, PlayedBy b
         HeadlessSettings settings;
         const auto desk = seat_player(run, request);
         settings.desk = desk.get();
+        std::vector<std::string> talk;
+        settings.talk = &talk;
         const auto outcome = run_headless(run, settings);
         if (!outcome) {
             return complain(outcome.error(), 1);
@@ -196,7 +234,11 @@ int test_by(const Installation& installation, const Options& options, PlayedBy b
         if (options.errors) {
             test.expect = {{"finished", "true"}};
         }
-        const int unmet = count_unmet(test, run.session().result());
+        int unmet = count_unmet(test, run.session().result());
+        if (unmet != 0 && !options.errors) {
+            name_wrong_answers(test, talk);
+        }
+        unmet += tell_unknown_asked(run);
         std::printf("%s: %s by %s after %.1f s of play.\n", run.description().id.c_str(),
                     unmet == 0 ? "passed" : "failed", std::string(name_of(by)).c_str(),
                     outcome->simulated_s);

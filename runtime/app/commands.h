@@ -35,7 +35,7 @@ int complain_of_loading(const Error& error);
 [[nodiscard]] int report_command(const Options& options);
 [[nodiscard]] int devices_command(const Options& options);
 [[nodiscard]] int arm_command(const Options& options);
-[[nodiscard]] int stop_command();
+[[nodiscard]] int stop_command(const Options& options);
 [[nodiscard]] int soak_command(const Installation& installation, const Options& options);
 
 }  // namespace fulcrum::runtime

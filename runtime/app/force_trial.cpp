@@ -21,7 +21,8 @@ void rest_s(double seconds) {
 }  // namespace
 
 Expected<std::unique_ptr<ForceTrial>> ForceTrial::begin(Device& device,
-                                                        const SafetySettings& limits, bool asks) {
+                                                        const SafetySettings& limits, bool asks,
+                                                        const TriedDevice& tried) {
     HapticPlan plan;
     plan.lesson_force = true;
     plan.safety = limits;
@@ -29,7 +30,7 @@ Expected<std::unique_ptr<ForceTrial>> ForceTrial::begin(Device& device,
     if (auto good = validate(plan, device.traits()); !good) {
         return tl::unexpected(good.error());
     }
-    std::unique_ptr<ForceTrial> made(new ForceTrial(asks));
+    std::unique_ptr<ForceTrial> made(new ForceTrial(asks, tried));
     made->fade_s_ = plan.safety.fade_s;
     made->loop_ = std::make_unique<HapticLoop>(plan, device, made->channels_);
     made->epoch_s_ = monotonic_now_s();
@@ -75,10 +76,12 @@ Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressSto
         if (!run.needs_trial(hand, request, kAsked)) {
             continue;
         }
-        std::printf("%s pushes gently for a moment, to be tried.\n",
-                    hand == 0 ? "The arm" : "The second arm");
+        HandDevice& device = run.hand_to_try(hand);
+        const TriedDevice tried = device.tried();
+        std::printf("The %s%s pushes gently for a moment, to be tried.\n",
+                    hand == 0 ? "" : "second ", tried.name());
         (void)std::fflush(stdout);
-        auto begun = ForceTrial::begin(run.hand_to_try(hand).device(), run.limits_of(hand), kAsked);
+        auto begun = ForceTrial::begin(device.device(), run.limits_of(hand), kAsked, tried);
         if (!begun) {
             return tl::unexpected(begun.error());
         }

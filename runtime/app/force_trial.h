@@ -1,4 +1,4 @@
-// A learner's first use of an arm (lesson/first_use.h) on the arm itself, before a lesson's loops have it: a haptic loop of its own that
+// A learner's first use of an arm or a joystick with force (lesson/first_use.h) on the device itself, before a lesson's loops have it: a haptic loop of its own that
 // lets through kMostPush_N at most, behind the same gate and guard, on a thread of its own; the pushes are commanded from here.
 //
 // Thread: that of the run, but for its own haptic thread.
@@ -23,7 +23,8 @@ class ForceTrial {
     /// Starts the loop on the device, which outlives it; `limits` are the lesson's.
     [[nodiscard]] static Expected<std::unique_ptr<ForceTrial>> begin(Device& device,
                                                                      const SafetySettings& limits,
-                                                                     bool asks);
+                                                                     bool asks,
+                                                                     const TriedDevice& tried);
     ForceTrial(const ForceTrial&) = delete;
     ForceTrial& operator=(const ForceTrial&) = delete;
     /// Fades what is felt, and ends the loop.
@@ -35,7 +36,7 @@ class ForceTrial {
     [[nodiscard]] HapticChannels& channels() { return channels_; }
 
   private:
-    explicit ForceTrial(bool asks) : trial_(asks) {}
+    ForceTrial(bool asks, const TriedDevice& tried) : trial_(asks, tried) {}
 
     FirstUse trial_;
     HapticChannels channels_{};

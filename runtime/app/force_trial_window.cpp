@@ -1,4 +1,4 @@
-// The first use of an arm as a learner sees it. See force_trial.h.
+// The first use of an arm or a joystick as a learner sees it. See force_trial.h.
 #include "haptics/base/clock.h"
 #include "runtime/app/force_trial.h"
 #include "runtime/app/interrupt.h"
@@ -16,10 +16,10 @@ namespace {
 class TrialScreen {
   public:
     TrialScreen(ForceTrial& trial, Desktop& desktop, const dialogue::Catalogue& words,
-                const char* first_words)
-        : trial_(trial), desktop_(desktop), words_(words), first_words_(first_words) {
+                bool is_second)
+        : trial_(trial), desktop_(desktop), words_(words), is_second_(is_second) {
         stop_.watch(&trial.channels());
-        desktop_.say({words_.say(first_words_)});
+        desktop_.say({words_.say(first_key())});
     }
     ~TrialScreen() { stop_.watch(nullptr); }
     TrialScreen(const TrialScreen&) = delete;
@@ -133,10 +133,19 @@ class TrialScreen {
         }
     }
 
+    // In the words of what is held.
+    [[nodiscard]] const char* of_device(const char* arm, const char* stick) const {
+        return trial_.trial().tried().is_stick ? stick : arm;
+    }
+    // While nothing is asked.
+    [[nodiscard]] const char* first_key() const {
+        return is_second_ ? of_device("first_use.hold_second", "first_use.stick_second")
+                          : of_device("first_use.hold", "first_use.stick");
+    }
     [[nodiscard]] const char* key() const {
-        return asked_ == FirstUseQuestion::way        ? "first_use.way"
+        return asked_ == FirstUseQuestion::way ? of_device("first_use.way", "first_use.stick_way")
                : asked_ == FirstUseQuestion::stronger ? "first_use.stronger"
-                                                      : first_words_;
+                                                      : first_key();
     }
     [[nodiscard]] bool is_over() const { return trial_.trial().end() != FirstUseEnd::running; }
 
@@ -146,7 +155,9 @@ class TrialScreen {
         if (end == FirstUseEnd::running || end == FirstUseEnd::good) {
             return {};
         }
-        return words_.say(end == FirstUseEnd::unfelt ? "first_use.unfelt" : "first_use.off",
+        return words_.say(end == FirstUseEnd::unfelt
+                              ? of_device("first_use.unfelt", "first_use.stick_unfelt")
+                              : of_device("first_use.off", "first_use.stick_off"),
                           {{"key", "Enter"}});
     }
 
@@ -174,7 +185,7 @@ class TrialScreen {
     ForceTrial& trial_;
     Desktop& desktop_;
     const dialogue::Catalogue& words_;
-    const char* first_words_;  // while nothing is asked
+    bool is_second_;
     StopKeys stop_{stop_signals_seen()};
     TypedLine typing_;
     FirstUseQuestion asked_ = FirstUseQuestion::none;
@@ -196,12 +207,13 @@ Expected<TrialLeft> try_forces_in_window(LessonRun& run, const RunRequest& reque
         if (!run.needs_trial(hand, request, kAsked)) {
             continue;
         }
-        auto begun = ForceTrial::begin(run.hand_to_try(hand).device(), run.limits_of(hand), kAsked);
+        HandDevice& device = run.hand_to_try(hand);
+        auto begun =
+            ForceTrial::begin(device.device(), run.limits_of(hand), kAsked, device.tried());
         if (!begun) {
             return tl::unexpected(begun.error());
         }
-        const char* const first_words = hand == 0 ? "first_use.hold" : "first_use.hold_second";
-        const TrialLeft left = TrialScreen(**begun, desktop, catalogue, first_words).play(end_s);
+        const TrialLeft left = TrialScreen(**begun, desktop, catalogue, hand > 0).play(end_s);
         const FirstUse trial = (*begun)->trial();
         begun->reset();
         // Who left has not tried it to the end: nothing is known, and nothing is felt.

@@ -66,6 +66,12 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
     }
     hand->device_ = fit_device(request, std::move(hand->device_));
     hand->fitted_ = dynamic_cast<FittedDevice*>(hand->device_.get());
+    hand->axes_ = request.fit.axes.value_or(AxisOrder{});
+    constexpr bool kAsked = false;
+    if (hand->hid_ != nullptr && hand->can_push() &&
+        !is_tried(request.fit, kAsked, hand->device_->traits().name)) {
+        hand->fitted_->give_part(kUntriedPart);
+    }
     if (hand->hid_ == nullptr || !mouse_is_free(request)) {
         return hand;
     }
@@ -125,7 +131,11 @@ Expected<void> HandDevice::make(const RunRequest& request) {
             return open_hid_hand(request.hid, workspace_)
                 .map([&](std::unique_ptr<hid::HidHand>&& opened) {
                     hid_ = opened.get();
-                    device_ = std::move(opened);
+                    const SensorWatch watch = sensor_watch(
+                        opened->traits(), hid_settings(workspace_).stick_pointer.half_extent_D);
+                    auto watched = std::make_unique<WatchedDevice>(watch, std::move(opened));
+                    watched_ = watched.get();
+                    device_ = std::move(watched);
                 });
         case HandKind::link:
             return link(request);
@@ -154,20 +164,25 @@ Expected<std::unique_ptr<PointerDevice>> HandDevice::make_pointer() {
     return std::make_unique<PointerDevice>(settings, pointer_target_);
 }
 
-// All in this program, under its clock; every number comes from the seed. The arm stands in the same place.
+// All in this program, under its clock; every number comes from the seed. The arm stands in the same place, and is a strong one: what it may
+// give in this run it must be told.
 void HandDevice::spoil(const RunRequest& request) {
     hand_target_.publish({});
     SafetySettings own = ArmServerSettings{}.safety;
-    apply(request.plan.site, own);
+    own.max_felt_speed_m_per_s = request.plan.site.speed_m_per_s;
+    own.max_energy_J = request.plan.site.energy_J;
     auto arm =
         std::make_unique<SpoiledArm>(*request.spoil_seed, hand_target_, own, request.spoil_model);
     spoiled_ = arm.get();
     device_ = std::move(arm);
 }
 
-void HandDevice::watch_limits(const SafetySettings& run) {
+void HandDevice::keep_limits(const SafetySettings& run) {
     if (spoiled_ != nullptr) {
-        spoiled_->watch_limits(run);
+        spoiled_->keep_limits(run);
+    }
+    if (linked_ != nullptr) {
+        linked_->tell_limits(run);
     }
 }
 
@@ -190,6 +205,7 @@ Expected<void> HandDevice::link(const HandChoice& request) {
     LinkDeviceSettings settings;
     settings.max_force_N = safety_.max_force_N;
     settings.max_torque_Nm = safety_.max_torque_Nm;
+    settings.max_slew_N_per_s = safety_.max_slew_N_per_s;
     if (auto good = validate(settings); !good) {
         return good;
     }
@@ -216,9 +232,30 @@ void HandDevice::give_no_force() {
     }
 }
 
+void HandDevice::give_all_force() {
+    if (fitted_ != nullptr) {
+        fitted_->give_part(1.0);
+    }
+}
+
+TriedDevice HandDevice::tried() const {
+    if (hid_ == nullptr) {
+        return {};
+    }
+    const Vector3 pushed_D(hid_->pushes_x() ? 1.0 : 0.0, hid_->pushes_y() ? 1.0 : 0.0, 0.0);
+    const Vector3 pushed = axes_.turn(pushed_D).cwiseAbs();
+    return {.is_stick = true, .pushes = {pushed.x() > 0.5, pushed.y() > 0.5, pushed.z() > 0.5}};
+}
+
 void HandDevice::begin_anew() {
     if (linked_ != nullptr) {
         linked_->part();
+    }
+    if (watched_ != nullptr) {
+        watched_->begin_anew();
+    }
+    if (stand_in_ != nullptr) {
+        stand_in_->begin_anew();
     }
 }
 

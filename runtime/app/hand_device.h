@@ -14,6 +14,7 @@
 #include "haptics/link/spoiled_arm.h"
 #include "haptics/loop/haptic_plan.h"
 #include "runtime/app/run_request.h"
+#include "runtime/lesson/first_use.h"
 
 #include <memory>
 #include <optional>
@@ -60,10 +61,16 @@ class HandDevice {
     [[nodiscard]] bool stands_in() const noexcept {
         return stand_in_ != nullptr && stand_in_->stands_in();
     }
-    /// True for an arm, which can push.
-    [[nodiscard]] bool is_arm() const noexcept { return linked_ != nullptr; }
-    /// From now on an arm gives none, whatever a loop asks for. Before the loop steps.
+    /// True for what can push a person's hand: an arm, or a joystick with motors, plugged in or not.
+    [[nodiscard]] bool can_push() const noexcept {
+        return (linked_ != nullptr || hid_ != nullptr) && device_->traits().renders_force;
+    }
+    /// What a first use of it has to try, as it stands before the learner.
+    [[nodiscard]] TriedDevice tried() const;
+    /// From now on an arm or a joystick gives none, whatever a loop asks for. Before the loop steps.
     void give_no_force();
+    /// It was tried well: a joystick that was not known gives all that is asked for. Before the loop steps.
+    void give_all_force();
     /// The next loop that has the device has a clock of its own.
     void begin_anew();
     /// What has happened to the device since the last call that people should know, a sentence; empty when nothing has.
@@ -71,8 +78,9 @@ class HandDevice {
     /// How the link to an arm does; nothing of another device. For the lesson loop.
     [[nodiscard]] std::optional<LinkStatus> link_status();
 
-    /// The run's own limits are watched on such an arm; does nothing to other devices.
-    void watch_limits(const SafetySettings& run);
+    /// Before the loop steps: the limits of its last gate. An arm is told them, and one on which things break is held to them; does nothing
+    /// to other devices.
+    void keep_limits(const SafetySettings& run);
     /// What was seen of an arm on which things break; null of another device.
     [[nodiscard]] const SpoiledCounts* spoiled_counts() const {
         return spoiled_ != nullptr ? &spoiled_->counts() : nullptr;
@@ -105,8 +113,10 @@ class HandDevice {
     const SimulatedHand* simulated_ = nullptr;  // the device, where it is one
     hid::HidHand* hid_ = nullptr;               // likewise, as are the next
     LinkDevice* linked_ = nullptr;
-    FittedDevice* fitted_ = nullptr;  // around either of these
-    const StandInDevice* stand_in_ =
+    WatchedDevice* watched_ = nullptr;  // around a HID device
+    FittedDevice* fitted_ = nullptr;    // around an arm or a HID device
+    AxisOrder axes_{};                  // as it is set there
+    StandInDevice* stand_in_ =
         nullptr;  // around a HID device, where the mouse has nothing else to move
     bool told_stand_in_ = false;
     bool told_too_long_ = false;

@@ -8,6 +8,7 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr int kUsualClutch = 3;
+constexpr const char* kNotGood = "not good";
 
 }  // namespace
 
@@ -42,6 +43,24 @@ bool is_somebody(const RunRequest& request) {
 
 int usual_clutch(HandKind kind) noexcept {
     return kind == HandKind::link ? kUsualClutch : 0;
+}
+
+std::string verdict_of(bool asked, const std::string& device) {
+    return (asked ? "good " : "moves ") + device;
+}
+
+std::string bad_verdict_of(const std::string& device) {
+    return kNotGood + (" " + device);
+}
+
+// Words that name no device are of whichever it is.
+bool is_refused(const HandFit& fit, const std::string& device) {
+    return fit.checked == kNotGood || fit.checked == bad_verdict_of(device);
+}
+
+bool is_tried(const HandFit& fit, bool asked, const std::string& device) {
+    return fit.checked == verdict_of(true, device) ||
+           (!asked && fit.checked == verdict_of(false, device));
 }
 
 double choose_scale(const HandFit& fit, const DeviceTraits& traits) {

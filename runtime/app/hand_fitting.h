@@ -26,6 +26,19 @@ inline constexpr double kUsualReach_m = 0.2;
 /// The clutch's button where nobody says one: of an arm the third, for lessons use two.
 [[nodiscard]] int usual_clutch(HandKind kind) noexcept;
 
+/// Of each force, of a joystick that was never tried well: no device tells its newtons. So a push of 0.8 N is none that is stronger, of one
+/// whose motors have up to three times what is taken for all that they can do (device/hid/hid_hand.h).
+inline constexpr double kUntriedPart = 1.0 / 3.0;
+
+/// What is kept of a good trial: with another device of the same address or kind it is none. `asked`: somebody said what was felt.
+[[nodiscard]] std::string verdict_of(bool asked, const std::string& device);
+/// And of one that was not.
+[[nodiscard]] std::string bad_verdict_of(const std::string& device);
+/// Whether the last trial of the device of this name was not good, by who keeps the fit.
+[[nodiscard]] bool is_refused(const HandFit& fit, const std::string& device);
+/// Whether the device of this name was tried well, by who keeps the fit; `asked`: with what was felt.
+[[nodiscard]] bool is_tried(const HandFit& fit, bool asked, const std::string& device);
+
 /// Times the lesson's scale.
 [[nodiscard]] double choose_scale(const HandFit& fit, const DeviceTraits& traits);
 

@@ -175,6 +175,9 @@ void fade_out(LessonRun& run, VirtualClock& clock, const std::string& sentence) 
 
 // What a frame gave to show: what was said, the lesson's lines, and a picture on the way.
 void show(const HeadlessSettings& settings, const FrameReport& report, double now_s) {
+    if (settings.talk != nullptr) {
+        settings.talk->insert(settings.talk->end(), report.said.begin(), report.said.end());
+    }
     if (settings.shows_talk) {
         print_lines(report.said);
     }
@@ -221,6 +224,10 @@ std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, boo
                             std::string("add answers to it") +
                                 (takes_say ? std::string(", or ") + kSayFile : std::string())});
     }
+    if (outcome.nobody_answered && run.n_given_lines() > 0 && run.pupil()->left().empty()) {
+        return "The lesson asked, and all " + std::to_string(run.n_given_lines()) +
+               " lines of the file are said; write more of them into it.";
+    }
     if (outcome.nobody_answered) {
         return std::string("The lesson asked and nobody answered; ") + kSayFile + '.';
     }
@@ -230,6 +237,20 @@ std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, boo
                " minutes of play; it may wait for something that never happens, or give --seconds.";
     }
     return {};
+}
+
+std::string unsaid_of(const LessonRun& run, const HeadlessOutcome& outcome) {
+    if (run.n_given_lines() == 0 || run.pupil()->left().empty()) {
+        return {};
+    }
+    const auto& left = run.pupil()->left();
+    const std::string n = std::to_string(left.size());
+    return (left.size() == 1 ? "One line of the file was not said, \""
+                             : n + " lines of the file were not said, from \"") +
+           left.front() + (left.size() == 1 ? "\": " : "\" on: ") +
+           (outcome.finished          ? "the lesson was over before."
+            : outcome.nobody_answered ? "the lesson waited for something else."
+                                      : "the run ended before.");
 }
 
 Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -34,6 +35,7 @@ struct HeadlessSettings {
     StageClock* clock = nullptr;
     bool shows_prints = true;  ///< what the lesson prints goes to standard output
     bool shows_talk = false;   ///< so does what is shown, asked, answered, see transcript.h
+    std::vector<std::string>* talk = nullptr;  ///< where the same is kept; null: nowhere
 };
 
 struct HeadlessOutcome {
@@ -50,6 +52,9 @@ struct HeadlessOutcome {
 /// has an option --say.
 [[nodiscard]] std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome,
                                      bool takes_say);
+
+/// What somebody gave to be said and the lesson did not come to, one sentence; empty when all was said.
+[[nodiscard]] std::string unsaid_of(const LessonRun& run, const HeadlessOutcome& outcome);
 
 /// Plays to the end. An error is the lesson's failure: by then the force has faded and the record tells so.
 [[nodiscard]] Expected<HeadlessOutcome> run_headless(LessonRun& run,

@@ -19,6 +19,11 @@ constexpr double kStickReach_m = 0.15;
 // Weight is seen, as with a mouse.
 constexpr double kCapSag_m_per_N = 0.004;
 constexpr double kLeastScale = 0.1;
+// A change of force by which a stick is moved whoever holds it: two thirds of what it can give, four millimetres of a hand of 500 N/m, and
+// three steps of the coarsest sensor.
+constexpr double kStickMovesAt_N = 2.0;
+// From here on it may lie at the end of its way, where a push moves nothing.
+constexpr double kNearStop = 0.97;
 
 }  // namespace
 
@@ -55,6 +60,13 @@ hid::HidHandSettings hid_settings(const Workspace& workspace) {
     settings.cap_pointer.sag_m_per_N = kCapSag_m_per_N;
     settings.stick_pointer.half_extent_D = Vector3::Constant(kStickReach_m);
     return settings;
+}
+
+SensorWatch sensor_watch(const DeviceTraits& traits, const Vector3& stick_reach_D) {
+    if (!traits.renders_force) {
+        return {};
+    }
+    return {{.moves_at_N = kStickMovesAt_N}, {1.0, 1.0, 0.0}, kNearStop * stick_reach_D};
 }
 
 Expected<std::unique_ptr<hid::HidHand>> open_hid_hand(const HidChoice& choice,

@@ -3,6 +3,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/device/hid/hid_hand.h"
+#include "haptics/device/watched/watched_device.h"
 #include "haptics/loop/haptic_plan.h"
 
 #include <memory>
@@ -29,6 +30,9 @@ struct HidChoice {
 
 /// How it is set in this workspace: what the mouse reaches, a SpaceMouse reaches; a stick, whose way is short, a part of it.
 [[nodiscard]] hid::HidHandSettings hid_settings(const Workspace& workspace);
+
+/// What is known of its sensor. A SpaceMouse, and a stick without motors, may stand still for ever: nothing is watched.
+[[nodiscard]] SensorWatch sensor_watch(const DeviceTraits& traits, const Vector3& stick_reach_D);
 
 /// Opens it.
 [[nodiscard]] Expected<std::unique_ptr<hid::HidHand>> open_hid_hand(const HidChoice& choice,

@@ -20,8 +20,6 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr const char* kGuest = "guest";
-constexpr std::size_t kMostWaiting =
-    8192;                               // commands: some ten seconds of nine bodies that all move
 constexpr std::size_t kMostPrints = 8;  // lines a frame: a terminal must not hold the lesson up
 
 // With the user's cache of shapes and a line that says how far it has come; nothing of either where the lesson needs none.
@@ -354,23 +352,8 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
                        std::move(output->said), std::move(output->spoken)};
 }
 
-// A command that got lost would leave the lesson waiting for ever for what it asked: while the world is busy they wait here, in order.
 Expected<void> LessonRun::command_world(const std::vector<WorldCommand>& commands) {
-    if (!world_channels_) {
-        return {};
-    }
-    for (const WorldCommand& command : commands) {
-        waiting_.push_back(command);
-    }
-    while (!waiting_.empty() && world_channels_->commands.push(waiting_.front())) {
-        waiting_.pop_front();
-    }
-    return waiting_.size() <= kMostWaiting
-               ? Expected<void>{}
-               : Expected<void>(
-                     fail("the lesson moves more bodies than the world can take in, or the "
-                          "world stands still",
-                          {}, "move fewer bodies in one frame, or close other programs"));
+    return world_channels_ ? to_world_.send(commands, world_channels_->commands) : Expected<void>{};
 }
 
 double LessonRun::fade_shown_s() const {

@@ -21,6 +21,7 @@
 #include "runtime/app/run_recorder.h"
 #include "runtime/app/run_request.h"
 #include "runtime/app/told_replay.h"
+#include "runtime/app/world_post.h"
 #include "runtime/audio/touch_sound.h"
 #include "runtime/lesson/answer_choices.h"
 #include "runtime/lesson/first_use.h"
@@ -31,7 +32,6 @@
 #include "runtime/progress/store.h"
 #include "runtime/scene/view.h"
 
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -150,6 +150,10 @@ class LessonRun {
     [[nodiscard]] FeltLimits spoiled_limits() const { return hand_->spoiled_limits(); }
     /// The line of the L:test whose answers are given; 0 where they are somebody else's, or nobody's.
     [[nodiscard]] SourceLine say_line() const { return say_line_; }
+    /// How many lines somebody gave to be said, by --say; 0 for none.
+    [[nodiscard]] std::size_t n_given_lines() const { return n_given_lines_; }
+    /// Whoever is simulated to answer; nobody where a person does.
+    [[nodiscard]] const std::optional<SimulatedPupil>& pupil() const { return pupil_; }
 
     /// One frame, waiting for the lesson's answer. An error means that the lesson has failed.
     [[nodiscard]] Expected<FrameReport> exchange_frame(const FrameInput& input);
@@ -223,11 +227,11 @@ class LessonRun {
                                                std::size_t hand, const HandFit& fit);
     void fit_to_reach(const Places& places, const RunRequest& request, std::size_t hand,
                       double factor);
+    void withhold_refused(std::size_t hand, const RunRequest& request, const HandFit& fit);
     void build_why(const RunRequest& request);
     void look_why(const SessionInput& gathered);
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
-    void watch_limits();
     void build_hands(const RunRequest& request);
     void build_more_loops();
     void build_replayed_stops(const RunRequest& request);
@@ -295,8 +299,9 @@ class LessonRun {
     std::optional<ReplayedInput> replayed_;  // where a record tells what was done besides the hand
     bool at_desk_ = false;                   // who plays types and chooses the pupil's answers
     std::optional<HandWish> wish_;
-    std::deque<WorldCommand> waiting_;  // what the world had no room for yet
+    WorldPost to_world_;
     SourceLine say_line_ = 0;
+    std::size_t n_given_lines_ = 0;
     double last_frame_s_ = 0.0;
 };
 

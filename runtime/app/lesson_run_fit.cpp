@@ -1,4 +1,4 @@
-// The part of LessonRun that fits scene and arm to each other, and knows whether the arm was tried. See lesson_run.h.
+// The part of LessonRun that fits scene and arm to each other, and knows whether its forces were tried. See lesson_run.h.
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/lesson_run.h"
 
@@ -17,24 +17,29 @@ std::string size_of(const Vector3& reach_m) {
     return text.data();
 }
 
-// What is kept of a good trial: with another arm at the same address it is none.
-std::string verdict_of(bool asked, const std::string& arm) {
-    return (asked ? "good " : "moves ") + arm;
-}
-
 }  // namespace
 
 bool LessonRun::needs_trial(std::size_t hand, const RunRequest& request, bool asked) const {
     const HandDevice& tried = hand_at(hand);
-    if (!tried.is_arm() || !tried.device().traits().renders_force ||
-        request.first_use == FirstUseTrial::never) {
+    if (!tried.can_push() || request.first_use == FirstUseTrial::never) {
         return false;
     }
-    const std::string& arm = tried.device().traits().name;
-    const std::string& checked = fit_of(hand).checked;
-    const bool is_known =
-        checked == verdict_of(true, arm) || (!asked && checked == verdict_of(false, arm));
-    return request.first_use == FirstUseTrial::again || !is_known;
+    return request.first_use == FirstUseTrial::again ||
+           !is_tried(fit_of(hand), asked, tried.device().traits().name);
+}
+
+// What this learner's last trial found not good gives nothing until a new one is good, also where none is to be.
+void LessonRun::withhold_refused(std::size_t hand, const RunRequest& request, const HandFit& fit) {
+    HandDevice& device = hand_at(hand);
+    if (!device.can_push() || request.first_use != FirstUseTrial::never ||
+        !is_refused(fit, device.device().traits().name)) {
+        return;
+    }
+    const std::string name = std::string(hand == 0 ? "" : "second ") + device.tried().name();
+    device.give_no_force();
+    hand_notices_.push_back("the " + name +
+                            " gives no force in this lesson: its last trial was not good; start "
+                            "the lesson without --first-use never, and it is tried again.");
 }
 
 RunRequest LessonRun::request_of(std::size_t hand, const RunRequest& request) const {
@@ -52,12 +57,14 @@ void LessonRun::take_trial(std::size_t hand, const FirstUse& trial, bool asked,
     const bool is_good = trial.end() == FirstUseEnd::good;
     if (!is_good) {
         const std::string sentence = tell(trial, fit_of(hand).axes.value_or(AxisOrder{}));
-        std::fprintf(stderr, "%s%s\n", hand == 0 ? "" : "The second arm: ", sentence.c_str());
+        std::fprintf(stderr, "%s%s\n", hand == 0 ? "" : "The second hand: ", sentence.c_str());
         device.give_no_force();
+    } else {
+        device.give_all_force();
     }
     RunRequest tried = request_of(hand, request);
-    constexpr const char* kNotGood = "not good";
-    tried.fit = {.checked = is_good ? verdict_of(asked, device.device().traits().name) : kNotGood};
+    const std::string& name = device.device().traits().name;
+    tried.fit = {.checked = is_good ? verdict_of(asked, name) : bad_verdict_of(name)};
     keep_fit_of(tried, store);
 }
 

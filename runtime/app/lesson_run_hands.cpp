@@ -31,6 +31,14 @@ std::optional<double> find_replayed_scale(const RunRequest& request, std::size_t
     return is_number ? std::optional(scale) : std::nullopt;
 }
 
+// What the last gate lets through: the least of device, place and lesson.
+SafetySettings felt_limits_of(const HapticLoop& loop, const HapticPlan& plan) {
+    SafetySettings limits = plan.safety;
+    limits.max_force_N = loop.max_force_N();
+    limits.max_torque_Nm = loop.max_torque_Nm();
+    return limits;
+}
+
 }  // namespace
 
 // As many as are planned; the request has been settled. Each device stands before the learner as it is kept for it, and goes as far in the
@@ -74,22 +82,18 @@ Expected<void> LessonRun::open_more_hands(const Places& places, const RunRequest
             return fits;
         }
     }
+    withhold_refused(0, request, request.fit);
+    for (std::size_t hand = 1; hand < n_hands(); ++hand) {
+        withhold_refused(hand, request, fit_of(hand));
+    }
     plan_.notices.insert(plan_.notices.end(), hand_notices_.begin(), hand_notices_.end());
     return {};
-}
-
-// What the last gate lets through: the least of device, place and lesson.
-void LessonRun::watch_limits() {
-    SafetySettings felt = plan_.haptic.safety;
-    felt.max_force_N = haptic_loop_->max_force_N();
-    felt.max_torque_Nm = haptic_loop_->max_torque_Nm();
-    hand_->watch_limits(felt);
 }
 
 void LessonRun::build_hands(const RunRequest& request) {
     build_told(request);
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), loop_channels(0));
-    watch_limits();
+    hand_->keep_limits(felt_limits_of(*haptic_loop_, plan_.haptic));
     build_more_loops();
     build_replayed_stops(request);
     build_told_replay(request);
@@ -104,6 +108,7 @@ void LessonRun::build_more_loops() {
         MoreHand& hand = *more_hands_[i];
         hand.loop = std::make_unique<HapticLoop>(plan_.more_hands[i], hand.device->device(),
                                                  loop_channels(i + 1));
+        hand.device->keep_limits(felt_limits_of(*hand.loop, plan_.more_hands[i]));
         hands.push_back({hand.loop.get(), &loop_channels(i + 1)});
     }
     hands_loop_ = std::make_unique<HandsLoop>(hands);

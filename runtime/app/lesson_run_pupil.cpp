@@ -60,6 +60,7 @@ void LessonRun::choose_pupil(const LessonDescription& description, const RunRequ
         const bool says_own = plays_own_test && request.say.empty();
         pupil_.emplace(says_own ? description.tests.front().say : request.say);
         say_line_ = says_own ? description.tests.front().line : 0;
+        n_given_lines_ = says_own ? 0 : request.say.size();
     }
 }
 

@@ -67,7 +67,7 @@ int run_program(int argc, char** argv) {
         return complain(options.error(), 2);
     }
     if (options->command == Command::help) {
-        std::fputs(usage().c_str(), stdout);
+        std::fputs(usage(options->help_for).c_str(), stdout);
         return 0;
     }
     if (options->command == Command::version) {
@@ -87,7 +87,7 @@ int run_program(int argc, char** argv) {
         case Command::arm:
             return arm_command(*options);
         case Command::stop:
-            return stop_command();
+            return stop_command(*options);
         default:
             return run_with_lessons(*options, started_s);
     }

@@ -46,7 +46,7 @@ enum class ArmKind : std::uint8_t { wam, desktop };
 struct ArmOptions {
     std::string address = "127.0.0.1";  ///< where it waits
     std::uint16_t port = 4701;          ///< 0: any that is free
-    std::string key_file;               ///< empty: the default place
+    std::string key_file;               ///< empty: the default place; of run: the first hand's
     double rate_Hz = 1000.0;            ///< 500 to 2000
     ArmKind kind = ArmKind::wam;
     ArmMotion motion = ArmMotion::still;
@@ -56,6 +56,7 @@ struct ArmOptions {
 /// Everything the command line can say. Fields that a command does not use are refused for it.
 struct Options {
     Command command = Command::menu;
+    std::string help_for;           ///< help: of this command alone; empty: of all
     std::string lesson;             ///< a name under scenarios/ or a folder
     bool headless = false;          ///< no window: virtual clock, faster than real time
     bool real_time = false;         ///< run: the loops keep real time, as in a window
@@ -94,17 +95,19 @@ struct Options {
     HandFit fit{};  ///< how the hand's device is set, as far as it is said
     std::vector<HandFit>
         more_fits;  ///< of the hands beside the first: what stands behind their --hand
+    std::vector<std::string> more_keys;  ///< likewise; empty: the default place
     FirstUseTrial first_use = FirstUseTrial::once;
     std::optional<double>
-        force_at_s;           ///< explain: of a record, the force at this time, 0 to 86 400
-    std::uint64_t seeds = 3;  ///< soak: how many runs of each lesson
+        force_at_s;                   ///< explain: of a record, the force at this time, 0 to 86 400
+    std::optional<int> only_process;  ///< stop: that one alone
+    std::uint64_t seeds = 3;          ///< soak: how many runs of each lesson
 };
 
 /// Parses the words after the program's name. Unknown words name the nearest known one.
 [[nodiscard]] Expected<Options> parse_options(std::span<const std::string> words);
 
-/// What `fulcrum help` prints.
-[[nodiscard]] std::string usage();
+/// What `fulcrum help` prints; of one command its part alone, where it has one.
+[[nodiscard]] std::string usage(std::string_view command = {});
 
 /// Smallest number of single-letter edits between two words (Levenshtein 1966), for "did you mean".
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);

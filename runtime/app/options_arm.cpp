@@ -7,6 +7,20 @@
 #include <string_view>
 
 namespace fulcrum::runtime {
+namespace {
+
+constexpr double kMostProcess = 4194304.0;  // PID_MAX_LIMIT, proc(5)
+
+// Behind a second --hand it is that one's.
+std::string& key_place(Options& options) {
+    if (options.hands.size() < 2) {
+        return options.arm.key_file;
+    }
+    options.more_keys.resize(options.hands.size() - 1);
+    return options.more_keys.back();
+}
+
+}  // namespace
 
 Expected<double> number_in(const std::string& flag, const std::string& text, double low,
                            double high) {
@@ -55,8 +69,17 @@ std::optional<Expected<void>> set_arm_value(Options& options, const std::string&
                                             const std::string& value) {
     ArmOptions& arm = options.arm;
     if (flag == "--address" || flag == "--key") {
-        (flag == "--key" ? arm.key_file : arm.address) = value;
+        (flag == "--key" ? key_place(options) : arm.address) = value;
         return Expected<void>{};
+    }
+    if (flag == "--only") {
+        return number_in(flag, value, 1.0, kMostProcess).and_then([&](double id) -> Expected<void> {
+            options.only_process = static_cast<int>(id);
+            // A part of a number would be another process.
+            return *options.only_process == id
+                       ? Expected<void>{}
+                       : fail(flag + " is \"" + value + "\"", "", "give a process's number");
+        });
     }
     if (flag == "--seeds") {
         return number_in(flag, value, 1.0, 1.0e6).map([&](double n) {

@@ -1,9 +1,11 @@
 #include "runtime/app/question_examples.h"
 
 #include "dialogue/marking/mark.h"
+#include "dialogue/marking/readings.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -30,20 +32,38 @@ std::string errors_of(const dialogue::Mark& mark) {
     return text;
 }
 
+/// The lesson's verdict on all that the answer may mean.
+Expected<bool> verdict_on(LessonRun& run, const std::string& question, dialogue::Mark& mark) {
+    if (!mark.other_number.empty()) {
+        return false;
+    }
+    std::vector<bool> verdicts;
+    for (const dialogue::Slots& reading : dialogue::readings_of(mark)) {
+        const auto verdict = run.ask_verdict({question, reading});
+        if (!verdict) {
+            return verdict;
+        }
+        verdicts.push_back(*verdict);
+    }
+    return dialogue::settle(mark, verdicts);
+}
+
 /// Why the example is not what it is said to be; empty when it is.
 Expected<std::string> find_difference(LessonRun& run, const dialogue::Question& question,
                                       const std::string& said, const Kind& kind) {
-    const dialogue::Mark mark = dialogue::mark_answer(question, said);
+    dialogue::Mark mark = dialogue::mark_answer(question, said);
     if (!mark.understood) {
         return "it is not understood";
     }
-    const auto verdict = mark.other_number.empty() ? run.ask_verdict({question.id, mark.slots})
-                                                   : Expected<bool>(false);
+    const auto verdict = verdict_on(run, question.id, mark);
     if (!verdict) {
         return tl::unexpected(verdict.error());
     }
-    if (*verdict != kind.is_right) {
-        return *verdict ? "its meaning is right" : "its meaning is wrong";
+    const bool answers = *verdict && mark.claim != dialogue::Claim::excluded;
+    if (answers != kind.is_right) {
+        return answers    ? "its meaning is right"
+               : *verdict ? "it is true, and no answer"
+                          : "its meaning is wrong";
     }
     if (kind.is_right && mark.form_right() != kind.has_right_form) {
         return mark.form_right() ? "no error of form is found" : "its form has " + errors_of(mark);
@@ -96,17 +116,24 @@ void add_unmet(const Knowledge& known, const KnowledgeDescription& described,
 }
 
 /// All that a learner may ask, asked once each: an error is that of the lesson's own function.
-Expected<void> ask_everything(LessonRun& run, const Knowledge& known) {
+Expected<void> ask_everything(LessonRun& run, const Knowledge& known,
+                              const AnswerTaker& take_answer) {
+    const auto& all = run.description().knowledge;
     for (const AskingSentence& sentence : known.every_way()) {
         const auto asked = known.find(sentence.said);
         if (!asked) {
             continue;
         }
-        if (const auto told = run.ask_knowledge({asked->knowledge, asked->mark.slots}); !told) {
+        const auto told = run.ask_knowledge({asked->knowledge, asked->mark.slots});
+        if (!told) {
             Error error = told.error();
             error.message = "what the lesson knows as \"" + asked->knowledge + "\", asked \"" +
                             sentence.said + "\": " + error.message;
             return tl::unexpected(std::move(error));
+        }
+        if (take_answer) {
+            take_answer(*std::ranges::find(all, asked->knowledge, &KnowledgeDescription::id),
+                        *told);
         }
     }
     return {};
@@ -114,7 +141,8 @@ Expected<void> ask_everything(LessonRun& run, const Knowledge& known) {
 
 }  // namespace
 
-Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run) {
+Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run,
+                                                       const AnswerTaker& take_answer) {
     std::vector<std::string> unmet;
     const auto questions = compile_questions(run.description());
     if (!questions) {
@@ -145,7 +173,7 @@ Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run) {
         for (const KnowledgeDescription& described : run.description().knowledge) {
             add_unmet(*known, described, unmet);
         }
-        if (const auto asked = ask_everything(run, *known); !asked) {
+        if (const auto asked = ask_everything(run, *known, take_answer); !asked) {
             return tl::unexpected(asked.error());
         }
     }

@@ -7,12 +7,18 @@
 
 #include "runtime/app/lesson_run.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace fulcrum::runtime {
 
+/// Is given what the lesson answers to each way to ask for what it knows as that.
+using AnswerTaker =
+    std::function<void(const KnowledgeDescription& known, const std::string& answer)>;
+
 /// What came out otherwise than the lesson says, a sentence with its line each. An error is the lesson's own, from its verdict.
-[[nodiscard]] Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run);
+[[nodiscard]] Expected<std::vector<std::string>> find_unmet_examples(
+    LessonRun& run, const AnswerTaker& take_answer = {});
 
 }  // namespace fulcrum::runtime

@@ -4,6 +4,7 @@
 #include "runtime/app/commands.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/open_store.h"
+#include "runtime/app/question_examples.h"
 #include "runtime/app/run_request.h"
 
 #include <utility>
@@ -38,6 +39,6 @@ int with_run(const Installation& installation, const Options& options, RunReques
 }
 
 /// The examples of its questions, once the lesson has played; gives the exit code, 0 when all are as they are said to be.
-[[nodiscard]] int tell_unmet_examples(LessonRun& run);
+[[nodiscard]] int tell_unmet_examples(LessonRun& run, const AnswerTaker& take_answer = {});
 
 }  // namespace fulcrum::runtime

@@ -132,6 +132,9 @@ int run_without_window(const Installation& installation, const Options& options,
     if (outcome->interrupted) {
         std::fprintf(stderr, "Ended by a signal; what there is of the run is kept.\n");
     }
+    if (const std::string unsaid = unsaid_of(**run, *outcome); !unsaid.empty()) {
+        std::fprintf(stderr, "%s\n", unsaid.c_str());
+    }
     if (const std::string trouble = trouble_of(**run, *outcome, true); !trouble.empty()) {
         std::fprintf(stderr, "%s\n", trouble.c_str());
         return 1;

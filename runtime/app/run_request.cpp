@@ -28,6 +28,13 @@ Expected<void> choose_player(const Options& options, bool in_window, RunRequest&
     return {};
 }
 
+// Each arm has a key of its own.
+std::string key_file_of(const Options& options, std::size_t hand) {
+    return hand == 0                          ? options.arm.key_file
+           : hand <= options.more_keys.size() ? options.more_keys[hand - 1]
+                                              : std::string();
+}
+
 // Whose hands: what was asked for, else the mouse in a window and the lesson's own simulated hands without.
 Expected<void> choose_hands(const Options& options, bool in_window, RunRequest& request) {
     request.hands_there = in_window               ? HandsThere::desk
@@ -36,7 +43,7 @@ Expected<void> choose_hands(const Options& options, bool in_window, RunRequest& 
     HandChoice& first = request;
     first.hand = in_window ? HandKind::mouse : HandKind::scripted;
     for (std::size_t i = 0; i < options.hands.size(); ++i) {
-        auto choice = read_hand(options.hands[i], in_window, options.arm.key_file);
+        auto choice = read_hand(options.hands[i], in_window, key_file_of(options, i));
         if (!choice) {
             return tl::unexpected(choice.error());
         }

@@ -10,6 +10,7 @@
 #include "runtime/app/run_request.h"
 #include "runtime/app/run_spoiler.h"
 #include "runtime/app/soak_report.h"
+#include "runtime/lesson/free_english.h"
 #include "runtime/progress/store.h"
 
 #include <algorithm>
@@ -47,6 +48,19 @@ double resident_MB() {
 double in_use_MB() {
     const struct mallinfo2 heap = ::mallinfo2();
     return 1.0e-6 * static_cast<double>(heap.uordblks + heap.hblkhd);
+}
+
+// Of this program and of those that it started and that have ended.
+double processor_s() {
+    double sum_s = 0.0;
+    for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+        rusage used{};
+        (void)::getrusage(who, &used);
+        for (const timeval& part : {used.ru_utime, used.ru_stime}) {
+            sum_s += static_cast<double>(part.tv_sec) + 1.0e-6 * static_cast<double>(part.tv_usec);
+        }
+    }
+    return sum_s;
 }
 
 // Somebody who lifts a stop, a while after it was pressed.
@@ -324,14 +338,18 @@ int soak_command(const Installation& installation, const Options& options) {
             if (interrupted() || (seed >= end && !brings_more(lesson, seed, seconds, sum))) {
                 continue;
             }
-            const auto run = soak_once(installation, lesson, seed, seconds, options.site);
+            const double used_s = processor_s();
+            auto run = soak_once(installation, lesson, seed, seconds, options.site);
             if (!run) {
                 return complain(run.error(), 2);
             }
+            run->processor_s = processor_s() - used_s;
             tell_soak(lesson, seed, seconds, *run);
             sum.add(*run);
         }
         if (seed == first) {
+            // What the first sentence that needs it loads, once, is no growth.
+            (void)open_free_english({}, dialogue::GrammarOpens::at_once);
             settled_MB = resident_MB();
             settled_in_use_MB = in_use_MB();
         }

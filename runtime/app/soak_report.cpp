@@ -44,6 +44,7 @@ void SoakSum::add(const SoakRun& run) {
     turned_rounds += run.arm.turned_rounds;
     simulated_s += run.simulated_s;
     wall_s += run.wall_s;
+    processor_s += run.processor_s;
     failed |= !run.trouble.empty();
 }
 
@@ -74,11 +75,13 @@ bool SoakSum::has_all() const {
 
 void tell_soak(const std::string& lesson, std::uint64_t seed, double seconds, const SoakRun& run) {
     std::printf(
-        "%-13s %-7s seed %-6llu %6.0f s, %4.0f times real time, %4.1f of %.1f N and %.2f of %.2f "
+        "%-13s %-7s seed %-6llu %6.0f s, %4.0f times real time, %4.0f times its processor time, "
+        "%4.1f of %.1f N and %.2f of %.2f "
         "Nm at "
         "most, %llu fades seen, %016llx%s\n",
         lesson.c_str(), name_of(run.model), static_cast<unsigned long long>(seed), run.simulated_s,
-        run.simulated_s / std::max(run.wall_s, 1e-9), run.arm.peak_N, run.limits.force_N,
+        run.simulated_s / std::max(run.wall_s, 1e-9),
+        run.simulated_s / std::max(run.processor_s, 1e-9), run.arm.peak_N, run.limits.force_N,
         run.arm.peak_Nm, run.limits.torque_Nm, static_cast<unsigned long long>(run.arm.fades),
         static_cast<unsigned long long>(run.arm.hash), run.trouble.empty() ? "" : "  FAILED");
     if (!run.trouble.empty()) {
@@ -94,14 +97,16 @@ void tell_soak(const std::string& lesson, std::uint64_t seed, double seconds, co
 
 std::string describe_soak(const SoakSum& sum, const SoakGrowth& growth) {
     std::array<char, 400> all{};
-    std::snprintf(
-        all.data(), all.size(),
-        "In all %.0f s, %.0f times real time, with a force in %.0f s and a torque in %.0f "
-        "s; after the first round the program kept %.2f MB more, and %.1f MB more were "
-        "resident.\n",
-        sum.simulated_s, sum.simulated_s / std::max(sum.wall_s, 1e-9),
-        1e-3 * static_cast<double>(sum.felt_rounds), 1e-3 * static_cast<double>(sum.turned_rounds),
-        growth.kept_MB, growth.resident_MB);
+    std::snprintf(all.data(), all.size(),
+                  "In all %.0f s, %.0f times real time, %.0f times its processor time, with a "
+                  "force in %.0f s and a torque in %.0f "
+                  "s; after the first round the program kept %.2f MB more, and %.1f MB more were "
+                  "resident.\n",
+                  sum.simulated_s, sum.simulated_s / std::max(sum.wall_s, 1e-9),
+                  sum.simulated_s / std::max(sum.processor_s, 1e-9),
+                  1e-3 * static_cast<double>(sum.felt_rounds),
+                  1e-3 * static_cast<double>(sum.turned_rounds), growth.kept_MB,
+                  growth.resident_MB);
     const auto is_any = [](auto kind) { return static_cast<int>(kind) > 0; };
     const auto fades = [](auto kind) { return must_fade(kind); };
     std::string text = all.data();

@@ -22,7 +22,8 @@ struct SoakRun {
     std::uint64_t n_deadlines = 0;  ///< met
     double simulated_s = 0.0;
     double wall_s = 0.0;
-    std::string trouble;  ///< what went wrong, a few words; empty where all was as it must be
+    double processor_s = 0.0;  ///< of the program and the lesson's process, from loading to the end
+    std::string trouble;       ///< what went wrong, a few words; empty where all was as it must be
     double since_s = -1.0;
 };
 
@@ -47,6 +48,7 @@ class SoakSum {
     std::uint64_t turned_rounds = 0;
     double simulated_s = 0.0;
     double wall_s = 0.0;
+    double processor_s = 0.0;
     bool failed = false;
 };
 

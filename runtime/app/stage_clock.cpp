@@ -48,8 +48,8 @@ StageError find_force_error(const ToolPlan* tool, double most_left_out_N) {
     if (rubs) {
         return {"force off", kUnbounded, "N", "Coulomb's law: answers among many contacts are cut"};
     }
-    return {"force off by at most", find_wall_error_N(make_god_object_settings(tool->settings)),
-            "N", "walls met at their surface (at an angle: over the sine of its half)"};
+    return {"force off by at most", find_wall_error_N(make_god_object_settings(*tool)), "N",
+            "walls met at their surface (at an angle: over the sine of its half)"};
 }
 
 }  // namespace

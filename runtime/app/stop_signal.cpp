@@ -44,9 +44,9 @@ struct ProcessStatus {
     uid_t user = 0;  // the real one
 };
 
-ProcessStatus read_status(pid_t id) {
+ProcessStatus read_status(const std::string& processes, pid_t id) {
     ProcessStatus status;
-    std::ifstream file("/proc/" + std::to_string(id) + "/status");
+    std::ifstream file(processes + "/" + std::to_string(id) + "/status");
     for (std::string word; file >> word;) {
         if (word == "Name:") {
             file >> status.name;
@@ -68,18 +68,28 @@ bool can_be_stopped(const ProcessStatus& status, std::string_view wanted) {
            (me == 0 || status.user == me || status.user == ::getuid());
 }
 
-std::vector<pid_t> list_processes() {
+// All but this one. A folder in which not even this one is to be seen tells nothing.
+Expected<std::vector<pid_t>> list_processes(const std::string& processes) {
     std::vector<pid_t> found;
+    bool sees_itself = false;
     std::error_code error;
-    for (std::filesystem::directory_iterator entry("/proc", error), end; !error && entry != end;
+    for (std::filesystem::directory_iterator entry(processes, error), end; !error && entry != end;
          entry.increment(error)) {
         const std::string name = entry->path().filename();
         pid_t id = 0;
         const auto parsed = std::from_chars(name.data(), name.data() + name.size(), id);
-        if (parsed.ec == std::errc{} && parsed.ptr == name.data() + name.size() &&
-            id != ::getpid()) {
+        if (parsed.ec != std::errc{} || parsed.ptr != name.data() + name.size()) {
+            continue;
+        }
+        if (id == ::getpid()) {
+            sees_itself = read_status(processes, id).state != ProcessStatus{}.state;
+        } else {
             found.push_back(id);
         }
+    }
+    if (error || !sees_itself) {
+        return fail("nobody can see what runs here" + (error ? ": " + error.message() : ""),
+                    processes, "switch the arm off");
     }
     return found;
 }
@@ -87,8 +97,8 @@ std::vector<pid_t> list_processes() {
 enum class Told : std::uint8_t { no_hand, stopped, missed };
 
 // Held fast before it is looked at: its number may be another's by the time that it is told (pidfd_open(2)). `errno` says why it was missed.
-Told tell_to_stop(pid_t id, std::string_view wanted) {
-    if (!can_be_stopped(read_status(id), wanted)) {
+Told tell_to_stop(const StopWhom& whom, pid_t id) {
+    if (!can_be_stopped(read_status(whom.processes, id), whom.name)) {
         return Told::no_hand;
     }
     const int process = static_cast<int>(::syscall(SYS_pidfd_open, id, 0));
@@ -96,7 +106,7 @@ Told tell_to_stop(pid_t id, std::string_view wanted) {
         return errno == ESRCH ? Told::no_hand : Told::missed;
     }
     Told told = Told::no_hand;
-    if (can_be_stopped(read_status(id), wanted)) {
+    if (can_be_stopped(read_status(whom.processes, id), whom.name)) {
         const long sent = ::syscall(SYS_pidfd_send_signal, process, SIGUSR1, nullptr, 0);
         told = sent == 0 ? Told::stopped : errno == ESRCH ? Told::no_hand : Told::missed;
     }
@@ -132,11 +142,18 @@ unsigned stop_signals_seen() noexcept {
     return stops_seen.load(std::memory_order_acquire);
 }
 
-Expected<std::size_t> stop_all_hands(const char* name) {
+Expected<std::size_t> stop_all_hands(const StopWhom& whom) {
+    const auto running = list_processes(whom.processes);
+    if (!running) {
+        return tl::unexpected(running.error());
+    }
     std::size_t n_stopped = 0;
     std::string missed;
-    for (const pid_t id : list_processes()) {
-        const Told told = tell_to_stop(id, name);
+    for (const pid_t id : *running) {
+        if (id != whom.only.value_or(id)) {
+            continue;
+        }
+        const Told told = tell_to_stop(whom, id);
         n_stopped += told == Told::stopped ? 1 : 0;
         if (told == Told::missed) {
             missed += (missed.empty() ? "" : ", ") + std::to_string(id) + " (" +

@@ -13,6 +13,9 @@
 #include "haptics/handover/channels.h"
 
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <sys/types.h>
 
 namespace fulcrum::runtime {
 
@@ -29,7 +32,15 @@ void set_stop_target(StopSwitch* target) noexcept;
 /// How many signals have come.
 [[nodiscard]] unsigned stop_signals_seen() noexcept;
 
-/// Stops every other process of this user, for root of anybody, that can be stopped; how many there were. Fails when one of them could not be reached.
-[[nodiscard]] Expected<std::size_t> stop_all_hands(const char* name = kStoppableName);
+/// Which processes are meant.
+struct StopWhom {
+    std::string name = kStoppableName;
+    std::optional<pid_t> only{};      ///< that one alone
+    std::string processes = "/proc";  ///< where the system tells of them
+};
+
+/// Stops every other process of this user, for root of anybody, that is meant and can be stopped; how many there were. Fails when one of them
+/// could not be reached, and where it cannot even see itself: then nobody knows what runs.
+[[nodiscard]] Expected<std::size_t> stop_all_hands(const StopWhom& whom = {});
 
 }  // namespace fulcrum::runtime

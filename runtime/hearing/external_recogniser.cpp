@@ -88,8 +88,10 @@ void ExternalRecogniser::hear(std::span<const std::int16_t> all) {
         order(dialogue::AudioLine{question_, {piece.begin(), piece.end()}});
     }
     order(dialogue::EndLine{question_});
-    awaits_ = true;
-    waits_until_s_ = monotonic_now_s() + settings_.patience_s;
+    // Who speaks on to a program that says nothing gives it no more time.
+    if (!std::exchange(awaits_, true)) {
+        waits_until_s_ = monotonic_now_s() + settings_.patience_s;
+    }
 }
 
 // Each line to it entitles it to some.
@@ -130,10 +132,19 @@ void ExternalRecogniser::take_lines() {
     look_for_its_end();
 }
 
-// A run that waits for what was said does so until then, or until somebody gives up.
+void ExternalRecogniser::end_for_silence() {
+    program_->end("has said nothing of what was spoken for " +
+                  std::to_string(std::lround(settings_.patience_s)) + " s, and was ended");
+}
+
+// A run that waits for what was said does so until then, or until somebody gives up; a live one only looks.
 std::optional<std::string> ExternalRecogniser::next_line() {
     if (!settings_.waits || !awaits_) {
-        return program_->take();
+        auto line = program_->take();
+        if (!line && awaits_ && monotonic_now_s() > waits_until_s_) {
+            end_for_silence();
+        }
+        return line;
     }
     while (!settings_.gives_up || !settings_.gives_up()) {
         const double left_s = waits_until_s_ - monotonic_now_s();
@@ -142,8 +153,7 @@ std::optional<std::string> ExternalRecogniser::next_line() {
             return line;
         }
         if (left_s <= 0.0) {
-            program_->end("has said nothing of what was spoken for " +
-                          std::to_string(std::lround(settings_.patience_s)) + " s, and was ended");
+            end_for_silence();
             break;
         }
     }

@@ -5,7 +5,7 @@
 // Where recordings are given, each question is answered by the next of them. A run without a window waits for the program's answer, so that
 // it goes the same each time; a live one never waits. Without the program, or when it fails, there is one sentence, and typing goes on.
 // It fails, and is ended, when it says much more than it is asked (more than 100 lines, and two for each that it got), or nothing of an
-// utterance to a run that waits, for 20 s.
+// utterance for 20 s.
 //
 // Thread: one, that of the lesson loop. Cost: some system calls and at most 64 lines a poll; the program's own work is its own.
 #pragma once
@@ -32,7 +32,7 @@ struct HearingSettings {
     bool waits = false;                     ///< for answers, as runs without a window do
     /// What fits nothing was said to somebody else: it is passed over, and nobody is asked to say it again.
     bool passes_over = false;
-    double patience_s = 20.0;  ///< of a run that waits, for what is heard in an utterance
+    double patience_s = 20.0;  ///< for what is heard in an utterance; then the program is ended
     std::function<bool()> gives_up = {};  ///< true: nobody waits any more; may be empty
 };
 
@@ -65,6 +65,7 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     void take_lines();
     [[nodiscard]] std::optional<std::string> next_line();
     void look_for_its_end();
+    void end_for_silence();
     void take(const dialogue::HearingAnswer& answer);
     void take_words(const dialogue::HeardLine& heard);
     void tell(const std::string& sentence);

@@ -65,8 +65,8 @@ Expected<std::vector<AnswerChoice>> make_choices(const dialogue::Question& quest
             continue;
         }
         const dialogue::Mark mark = dialogue::mark_answer(question, said);
-        if (!mark.understood || !mark.form_right() || says_twice(mark.slots) ||
-            !met.insert(mark.slots).second) {
+        if (!mark.understood || mark.claim != dialogue::Claim::same || !mark.form_right() ||
+            says_twice(mark.slots) || !met.insert(mark.slots).second) {
             continue;
         }
         const auto right = verdict(mark.slots);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -54,6 +55,30 @@ std::size_t index_of(Way way) {
     return static_cast<std::size_t>(way);
 }
 
+std::size_t axis_of(Way way) {
+    return index_of(way) / 2;
+}
+
+// What was said of a push, as the scene has it: on a table, away is up.
+Way lift(Way said, const TriedDevice& tried) {
+    const bool lies =
+        tried.is_stick && tried.pushes[axis_of(Way::up)] && !tried.pushes[axis_of(Way::near)];
+    return !lies ? said : said == Way::away ? Way::up : said == Way::near ? Way::down : said;
+}
+
+// Axes that nobody was asked about stay themselves, or else become what is left.
+void complete(Matrix3& turned) {
+    for (const bool only_own : {true, false}) {
+        for (int i = 0; i < 3; ++i) {
+            for (int row = 0; row < 3 && turned.col(i).isZero(); ++row) {
+                if ((row == i || !only_own) && turned.row(row).isZero()) {
+                    turned(row, i) = 1.0;
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Vector3 vector_of(Way way) {
@@ -99,12 +124,23 @@ bool says_nothing(std::string_view said) {
     });
 }
 
-FirstUse::FirstUse(bool asks) : asks_(asks) {
+FirstUse::FirstUse(bool asks, const TriedDevice& tried) : asks_(asks), tried_(tried) {
+    std::ranges::copy_if(kOrder, std::back_inserter(ways_),
+                         [&](Way way) { return tried.pushes[axis_of(way)]; });
+    if (ways_.empty()) {
+        end_ = FirstUseEnd::unfelt;
+        return;
+    }
     begin_push();
 }
 
+// Two pushes are compared upwards, where it can.
+Way FirstUse::way_now() const {
+    return !compares_ ? ways_[next_] : tried_.pushes[axis_of(Way::up)] ? Way::up : ways_.front();
+}
+
 void FirstUse::begin_push() {
-    const Vector3 way_W = vector_of(compares_ ? Way::up : kOrder[next_]);
+    const Vector3 way_W = vector_of(way_now());
     const double part = compares_ ? kCompared[round_][next_] : 1.0;
     push_.emplace(PushSettings{.force_N = part * kPushes_N[strength_]}, way_W);
 }
@@ -123,7 +159,7 @@ Vector3 FirstUse::step(const HapticState& state, double now_s) {
 // What did the hand do?
 void FirstUse::finish_push() {
     if (push_->end() == PushEnd::ran_against) {
-        axis_ = static_cast<int>(index_of(compares_ ? Way::up : kOrder[next_]) / 2);
+        axis_ = static_cast<int>(axis_of(way_now()));
         end_ = FirstUseEnd::against;
         return;
     }
@@ -132,7 +168,7 @@ void FirstUse::finish_push() {
         return;
     }
     if (!compares_) {
-        const Way way = kOrder[next_];
+        const Way way = way_now();
         if (push_->motion_W().norm() < kLeastMotion_m && strength_ + 1 < kPushes_N.size()) {
             ++strength_;
             begin_push();
@@ -173,7 +209,7 @@ bool FirstUse::judge_axis(Way way) {
             end_ = FirstUseEnd::aside;
             break;
     }
-    axis_ = static_cast<int>(i / 2);
+    axis_ = static_cast<int>(axis_of(way));
     return false;
 }
 
@@ -181,7 +217,7 @@ bool FirstUse::judge_axis(Way way) {
 void FirstUse::go_on() {
     ++next_;
     second_try_ = compares_ && second_try_;
-    if (!compares_ && next_ == kWays) {
+    if (!compares_ && next_ == ways_.size()) {
         if (!asks_) {
             end_ = FirstUseEnd::good;
             return;
@@ -217,14 +253,17 @@ bool FirstUse::answer(std::string_view said) {
 // None where nothing was felt.
 void FirstUse::hear_way(std::optional<Way> way) {
     question_ = FirstUseQuestion::none;
-    const Way pushed = kOrder[next_];
+    const Way pushed = way_now();
+    if (way) {
+        way = lift(*way, tried_);
+    }
     if (way != pushed && !second_try_) {
         second_try_ = true;
         begin_push();
         return;
     }
     if (!way) {
-        axis_ = static_cast<int>(index_of(pushed) / 2);
+        axis_ = static_cast<int>(axis_of(pushed));
         end_ = FirstUseEnd::unfelt;
         return;
     }
@@ -254,13 +293,17 @@ void FirstUse::hear_stronger(std::optional<int> which) {
 void FirstUse::judge_answers() {
     Matrix3 turned = Matrix3::Zero();
     for (const Way way : {Way::right, Way::up, Way::near}) {
+        if (!tried_.pushes[axis_of(way)]) {
+            continue;
+        }
         const Way said = said_[index_of(way)];
         if (said_[index_of(opposite(way))] != opposite(said)) {
             end_ = FirstUseEnd::unsure;
             return;
         }
-        turned.col(static_cast<int>(index_of(way) / 2)) = vector_of(said);
+        turned.col(static_cast<int>(axis_of(way))) = vector_of(said);
     }
+    complete(turned);
     felt_ = AxisOrder::of(turned);
     if (!felt_) {
         end_ = FirstUseEnd::unsure;
@@ -270,7 +313,8 @@ void FirstUse::judge_answers() {
 }
 
 std::string tell(const FirstUse& trial, const AxisOrder& axes) {
-    constexpr const char* kOff = "the arm gives no force in this lesson: ";
+    const std::string off =
+        std::string("the ") + trial.tried().name() + " gives no force in this lesson: ";
     constexpr const char* kAxes[] = {"left and right", "up and down", "near and away"};
     const std::string axis = kAxes[trial.axis()];
     switch (trial.end()) {
@@ -278,35 +322,35 @@ std::string tell(const FirstUse& trial, const AxisOrder& axes) {
         case FirstUseEnd::good:
             return {};
         case FirstUseEnd::against:
-            return kOff + std::string("the hand goes against its push, ") + axis +
+            return off + std::string("the hand goes against its push, ") + axis +
                    "; a motor or an encoder runs the wrong way, have that mended.";
         case FirstUseEnd::aside:
-            return kOff + std::string("the hand goes across its push, ") + axis +
+            return off + std::string("the hand goes across its push, ") + axis +
                    "; motors are exchanged, have that mended.";
         case FirstUseEnd::unfelt:
             if (trial.asks()) {
-                return kOff + std::string("its pushes were not felt, ") + axis +
+                return off + std::string("its pushes were not felt, ") + axis +
                        "; it is stiff, or a motor is off, have that mended.";
             }
-            return kOff + std::string("its pushes did not move the hand, ") + axis +
+            return off + std::string("its pushes did not move the hand, ") + axis +
                    "; it is stiff, or a motor is off: start the lesson in a window, where the "
                    "learner is asked what is felt.";
         case FirstUseEnd::disturbed:
-            return kOff + std::string(
-                              "its pushes could not be tried; hold it loosely and still, and "
-                              "start the lesson again.");
+            return off + std::string(
+                             "its pushes could not be tried; hold it loosely and still, and "
+                             "start the lesson again.");
         case FirstUseEnd::turned: {
             const auto mended = AxisOrder::of(trial.felt()->matrix() * axes.matrix());
-            return kOff +
+            return off +
                    std::string(
                        "it stands otherwise than it says; start the lesson again with "
                        "--axes ") +
                    mended.value_or(AxisOrder{}).text() + ".";
         }
         case FirstUseEnd::unsure:
-            return kOff + std::string(
-                              "what was felt fits no way in which it could stand; start the "
-                              "lesson again and say what is felt.");
+            return off + std::string(
+                             "what was felt fits no way in which it could stand; start the "
+                             "lesson again and say what is felt.");
     }
     return {};
 }

@@ -1,13 +1,14 @@
-// The first time that a learner holds an arm it pushes their hand gently, one way after the other, and is watched; where somebody can
+// The first time that a learner holds a device that gives force, an arm or a joystick, it pushes their hand gently, one way after the other, and is watched; where somebody can
 // answer they say, in their own words, which way it was and which of two pushes was stronger.
 //
-//   for each of right, up, left, away, down, near:   push (loop/push_trial.h) -> "Which way does the arm push?"
+//   for each of right, up, left, away, down, near that it can push:   push (loop/push_trial.h) -> "Which way does the arm push?"
 //   then that push and half of it up, then half and whole:   "Which push was stronger: the first or the second?"
 // A push has 0.8 N. Where it does not move the hand, as on an arm whose own dry friction takes it up, it and all after it have 1.6 N, then
 // 3 N.
 // Two opposite pushes against which the hand goes, or across, end it: the motors are wired otherwise than the arm says, and no setting
 // mends that. What is said wrong is pushed and asked once more; who feels nothing twice is right, whatever moved; then, where all answers together are one turn or mirror M of the pushes, the
-// arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h). A push that moves nothing even then may be
+// arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h); an axis that is not pushed stays itself
+// where it can. Of a joystick that lies on a table and pushes in its plane, away is up and to me is down, as with a mouse. A push that moves nothing even then may be
 // felt and not seen: what is said decides, and where nobody is asked nothing is known. In every case but a good one there is to be no
 // force.
 //
@@ -38,6 +39,15 @@ inline constexpr std::size_t kWays = 6;
 /// Whether it says that there was no push, or no difference: "I feel nothing", "They are the same."
 [[nodiscard]] bool says_nothing(std::string_view said);
 
+/// What is tried.
+struct TriedDevice {
+    bool is_stick = false;                         ///< a joystick; else an arm
+    std::array<bool, 3> pushes{true, true, true};  ///< along which of the person's axes
+
+    /// As people call it.
+    [[nodiscard]] const char* name() const noexcept { return is_stick ? "stick" : "arm"; }
+};
+
 enum class FirstUseQuestion : std::uint8_t { none, way, stronger };
 
 /// How it came out.
@@ -55,7 +65,7 @@ enum class FirstUseEnd : std::uint8_t {
 class FirstUse {
   public:
     /// `asks`: somebody is there to answer.
-    explicit FirstUse(bool asks);
+    explicit FirstUse(bool asks, const TriedDevice& tried = {});
 
     /// The force to command until the next call; none while a question is open.
     [[nodiscard]] Vector3 step(const HapticState& state, double now_s);
@@ -66,12 +76,14 @@ class FirstUse {
     bool answer(std::string_view said);
 
     [[nodiscard]] bool asks() const noexcept { return asks_; }
+    [[nodiscard]] const TriedDevice& tried() const noexcept { return tried_; }
     [[nodiscard]] FirstUseEnd end() const noexcept { return end_; }
     /// Which axis is against, aside or unfelt, or how the axes are as the learner felt them, where it is turned.
     [[nodiscard]] int axis() const noexcept { return axis_; }
     [[nodiscard]] const std::optional<AxisOrder>& felt() const noexcept { return felt_; }
 
   private:
+    [[nodiscard]] Way way_now() const;
     void begin_push();
     void finish_push();
     void go_on();
@@ -81,6 +93,8 @@ class FirstUse {
     void hear_stronger(std::optional<int> which);
 
     bool asks_;
+    TriedDevice tried_;
+    std::vector<Way> ways_;  // that it can push, in order
     FirstUseEnd end_ = FirstUseEnd::running;
     FirstUseQuestion question_ = FirstUseQuestion::none;
     std::optional<PushTrial> push_;

@@ -1,9 +1,13 @@
 #include "runtime/lesson/knowledge.h"
 
+#include "dialogue/english/letters.h"
 #include "dialogue/template/sentences.h"
+#include "dialogue/template/tokens.h"
+#include "haptics/surface/materials.h"
 #include "runtime/lesson/questions.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -30,6 +34,38 @@ Expected<void> add_named(const KnowledgeDescription& knowledge, const char* what
     return {};
 }
 
+/// What things are made of that a lesson may not have: a learner asks for them all the same, and is told "No".
+constexpr std::array kEverydayMaterials = {"plastic", "cloth|fabric", "ice", "leather", "clay"};
+
+/// {material}, where no lesson gives it other words: the program's own materials, the lesson's own, and some more.
+void add_materials(const LessonDescription& lesson, dialogue::NamedLists& lists) {
+    const std::string list = "material";
+    if (std::ranges::any_of(lists, [&](const auto& given) { return given.first == list; })) {
+        return;
+    }
+    std::vector<std::string> words;
+    const auto add = [&](const std::string& word) {
+        const std::string called = word.substr(0, word.find('|'));
+        const bool known = std::ranges::any_of(words, [&](const std::string& other) {
+            return other.substr(0, other.find('|')) == called;
+        });
+        if (!known) {
+            words.push_back(word);
+        }
+    };
+    for (const MaterialDescription& own : lesson.materials) {
+        add(own.felt.name);
+    }
+    const bool has_stone = std::ranges::find(words, "stone") != words.end();
+    for (const Material& shipped : shipped_materials()) {
+        add(shipped.name == "rock" && !has_stone ? "rock|stone" : shipped.name);
+    }
+    for (const char* everyday : kEverydayMaterials) {
+        add(everyday);
+    }
+    lists.emplace_back(list, std::move(words));
+}
+
 /// The ways to ask for `knowledge`, beside what is there already.
 Expected<void> add_ways(const KnowledgeDescription& knowledge, int subject,
                         dialogue::QuestionSource& source) {
@@ -51,6 +87,7 @@ Expected<dialogue::Question> compile_ways(const LessonDescription& lesson,
                                           const KnowledgeDescription& newest) {
     source.id = newest.id;
     add_things_of_the_scene(lesson, source.lists);
+    add_materials(lesson, source.lists);
     auto compiled = dialogue::compile_question(source);
     if (!compiled) {
         return fail("what a learner may ask: " + with_letter(compiled.error()), at(newest), {});
@@ -86,6 +123,62 @@ Error find_culprit(const LessonDescription& lesson, Error together) {
 }
 
 }  // namespace
+
+bool begins_as_question(std::string_view words) {
+    constexpr std::array<std::string_view, 23> kFirst = {
+        "what", "what's", "how",  "which", "where", "who",  "whose", "why",
+        "when", "is",     "are",  "does",  "do",    "did",  "was",   "were",
+        "can",  "could",  "will", "would", "has",   "tell", "please"};
+    const std::string text = dialogue::lower_case(words);
+    const std::size_t begin = text.find_first_not_of(' ');
+    const std::size_t last = text.find_last_not_of(' ');
+    if (begin == std::string::npos) {
+        return false;
+    }
+    const std::string_view first =
+        std::string_view(text).substr(begin, text.find_first_of(" ,?.!", begin) - begin);
+    return text[last] == '?' || std::ranges::find(kFirst, first) != kFirst.end();
+}
+
+bool asks_something(std::string_view words) {
+    constexpr std::array<std::string_view, 9> kBefore = {"and", "but",    "so",   "ok",   "okay",
+                                                         "oh",  "please", "well", "sorry"};
+    constexpr std::array<std::string_view, 9> kAsking = {"what",  "what's", "whats", "how", "which",
+                                                         "where", "who",    "whose", "why"};
+    constexpr std::array<std::string_view, 23> kHelping = {
+        "is",  "are",   "am",    "was",    "were",    "do",     "does", "did",
+        "can", "could", "will",  "would",  "shall",   "should", "may",  "must",
+        "has", "have",  "isn't", "aren't", "doesn't", "don't",  "can't"};
+    constexpr std::array<std::string_view, 6> kPeople = {"i", "you", "he", "she", "we", "they"};
+    constexpr std::array<std::string_view, 6> kThings = {"it",    "this",  "that",
+                                                         "these", "those", "there"};
+    constexpr std::array<std::string_view, 4> kBe = {"is", "are", "was", "were"};
+    constexpr std::size_t kLeastHelped = 3;  // "is it red"; "does it" may be an answer
+    const auto has = [](const auto& list, const std::string& word) {
+        return std::ranges::find(list, word) != list.end();
+    };
+    std::vector<std::string> said = dialogue::words_of(words);
+    while (!said.empty() && has(kBefore, said.front())) {
+        said.erase(said.begin());
+    }
+    if (said.empty()) {
+        return false;
+    }
+    const std::string& first = said.front();
+    const bool has_mark = words[words.find_last_not_of(' ')] == '?';
+    const bool tells = said.size() > 1 && (first == "tell" || first == "show") && said[1] == "me";
+    if (tells || (has(kAsking, first) && (said.size() > 1 || has_mark))) {
+        return true;
+    }
+    if (first == "when") {
+        return has_mark || (said.size() > 1 && has(kHelping, said[1]));
+    }
+    if (!has(kHelping, first) || said.size() < kLeastHelped) {
+        return false;
+    }
+    // "Is there one moon" is as likely an answer out of order; with its mark it asks.
+    return has_mark || has(kPeople, said[1]) || (has(kThings, said[1]) && !has(kBe, first));
+}
 
 Expected<std::optional<Knowledge>> Knowledge::compile(const LessonDescription& lesson,
                                                       const dialogue::Catalogue& catalogue) {
@@ -144,16 +237,20 @@ std::vector<AskingSentence> Knowledge::every_way() const {
 
 std::optional<AskedFor> Knowledge::find(std::string_view words, bool form) const {
     dialogue::Mark mark = dialogue::mark_answer(question_, words);
-    const bool is_whole = mark.understood && !mark.short_answer && mark.other_number.empty();
+    const bool is_whole = mark.understood && !mark.short_answer && mark.other_number.empty() &&
+                          mark.claim == dialogue::Claim::same;
     if (!is_whole || mark.answer < 0 || static_cast<std::size_t>(mark.answer) >= names_.size()) {
         return std::nullopt;
     }
     const std::string& name = names_[static_cast<std::size_t>(mark.answer)];
-    return AskedFor{name, form ? std::move(mark) : without_form(std::move(mark))};
+    return AskedFor{name, form ? std::move(mark) : without_form(std::move(mark)), {}};
 }
 
 std::string Knowledge::told(const AskedFor& asked, const std::string& answer) const {
     const std::string said = answer.empty() ? catalogue_->say("knowledge.not_known") : answer;
+    if (!asked.praise.empty()) {
+        return asked.praise + ' ' + said;
+    }
     return asked.mark.form_errors.empty()
                ? said
                : catalogue_->say("knowledge.recast",

@@ -22,6 +22,7 @@ namespace fulcrum::runtime {
 struct AskedFor {
     std::string knowledge;  ///< the name that L:knows gave it
     dialogue::Mark mark;    ///< its slots and errors of form
+    std::string praise{};   ///< said before the answer, where asking was what was asked for
 };
 
 /// A sentence that asks for something.
@@ -29,6 +30,14 @@ struct AskingSentence {
     std::string knowledge;
     std::string said;
 };
+
+/// Whether words are put as a question: a word that asks or a verb stands first, or a question mark last. Who learns English may put them
+/// otherwise, and is understood where nothing else is asked.
+[[nodiscard]] bool begins_as_question(std::string_view words);
+
+/// Whether words that fit no answer are a question of the learner's own: "can I eat it?", "what colour is it". Neither "is on the block",
+/// which lacks its "it", nor "when the wind stops" nor "the apple?" are.
+[[nodiscard]] bool asks_something(std::string_view words);
 
 class Knowledge {
   public:

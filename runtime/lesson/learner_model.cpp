@@ -52,7 +52,7 @@ Expected<std::string> LearnerModel::answer(const dialogue::Question& question,
         const bool errs = kind == Kind::form && !(walk > kMostWalks / 2 && right.empty());
         const std::string said = draw_sentence(*question.templates, errs);
         const dialogue::Mark mark = dialogue::mark_answer(question, said);
-        if (!mark.understood || !mark.other_number.empty()) {
+        if (!mark.understood || !mark.other_number.empty() || mark.claim != dialogue::Claim::same) {
             continue;
         }
         const auto is_right = judge(mark.slots);

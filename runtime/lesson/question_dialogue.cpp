@@ -1,5 +1,7 @@
 #include "runtime/lesson/question_dialogue.h"
 
+#include "dialogue/marking/readings.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -71,12 +73,31 @@ QuestionTurn QuestionDialogue::hear(std::string_view words, double confidence, d
     }
     // The words are understood; the simulated physics says whether their meaning is right.
     QuestionTurn turn;
-    turn.events.push_back(JudgeEvent{question_, heard_->slots});
+    verdicts_.clear();
+    for (const dialogue::Slots& reading : dialogue::readings_of(*heard_)) {
+        turn.events.push_back(JudgeEvent{question_, reading});
+    }
     return turn;
 }
 
+QuestionTurn QuestionDialogue::take_question(dialogue::Mark asked, double time_s) {
+    if (!listens()) {
+        return {};
+    }
+    (void)conversation_.hear(asked.said, asked.confidence, asked.form_known);
+    heard_ = std::move(asked);
+    return answer(true, time_s);
+}
+
 QuestionTurn QuestionDialogue::judge(const std::string& question, bool right, double time_s) {
-    return heard_ && question == question_ ? answer(right, time_s) : QuestionTurn{};
+    if (!heard_ || question != question_) {
+        return {};
+    }
+    verdicts_.push_back(right);
+    if (verdicts_.size() < dialogue::readings_of(*heard_).size()) {
+        return {};  // the others come with the same reply
+    }
+    return answer(dialogue::settle(*heard_, verdicts_), time_s);
 }
 
 // The verdict is there: something that helps is said, and the state follows from what was said.
@@ -89,6 +110,10 @@ QuestionTurn QuestionDialogue::answer(bool right, double time_s) {
     answer.answer_s = std::max(0.0, time_s - asked_at_s_);
     heard_.reset();
     answer.feedback = conversation_.respond(answer.mark, right);
+    if (right && answer.mark.claim == dialogue::Claim::excluded) {
+        answer.mark.understood = answer.right =
+            false;  // true, but as good as not said: neither right nor wrong
+    }
 
     if (answer.feedback.may_repeat) {
         right_ = answered_event(answer);
@@ -137,8 +162,19 @@ void QuestionDialogue::listen(QuestionState state, double time_s) {
     ++turns_;
 }
 
+void QuestionDialogue::wait_anew(double time_s) {
+    if (listens()) {
+        listen(state_, time_s);
+    }
+}
+
 bool QuestionDialogue::understands(std::string_view words) const {
     return question() != nullptr && dialogue::mark_answer(*question(), words).understood;
+}
+
+bool QuestionDialogue::wants_question() const {
+    return listens() && question() != nullptr &&
+           dialogue::example_sentence(*question()).ends_with('?');
 }
 
 const dialogue::Question* QuestionDialogue::question() const {

@@ -18,7 +18,8 @@
 //                                  the lesson is told so before another question begins.
 //   any             close          closed; what has not been told by then never is.
 //   judging(_again) end_exchange   open (invited): the verdict did not come with the reply.
-//   closed, set_aside: where the lesson knows things (knowledge.h), the learner may ask; in all other states that is put off.
+//   closed, set_aside: where the lesson knows things (knowledge.h), the learner may ask; in all other states that is put off and
+//   counts for nothing, known or not, unless the question is answered by asking: then what is asked is a right answer.
 //   A verdict in any other state is late, and dropped. So only the two states that wait for a verdict shut the learner's
 //   mouth, and neither outlives the exchange of one frame with the lesson.
 //
@@ -85,6 +86,8 @@ class QuestionDialogue {
     /// Without `form` they show the meaning alone.
     [[nodiscard]] QuestionTurn hear(std::string_view words, double confidence, double time_s,
                                     bool form = true);
+    /// A question that the lesson knows, where one is wanted: a right answer. Nothing comes of it unless somebody listens.
+    [[nodiscard]] QuestionTurn take_question(dialogue::Mark asked, double time_s);
     /// The lesson's verdict about the meaning.
     [[nodiscard]] QuestionTurn judge(const std::string& question, bool right, double time_s);
     /// Time has passed; nobody is held back for form: an invitation to say it once more ends by itself.
@@ -117,6 +120,14 @@ class QuestionDialogue {
     }
     /// Would these words be an answer to the question of now, right or wrong?
     [[nodiscard]] bool understands(std::string_view words) const;
+    /// These words ask for help with the question of now, and nothing else.
+    [[nodiscard]] bool wants_help(std::string_view words) const {
+        return conversation_.wants_help(words);
+    }
+    /// What was said was no answer: the learner is waited for anew, where somebody listens. It counts for nothing.
+    void wait_anew(double time_s);
+    /// The learner may speak, and is to ask: "Now you ask me!" Its answers are questions themselves.
+    [[nodiscard]] bool wants_question() const;
     /// The question of now; null when there is none.
     [[nodiscard]] const dialogue::Question* question() const;
     /// The sentences that answer it; null when there is none.
@@ -131,6 +142,7 @@ class QuestionDialogue {
     QuestionState state_ = QuestionState::closed;
     std::string question_;                 // of every state but closed
     std::optional<dialogue::Mark> heard_;  // in judging and judging_again
+    std::vector<bool> verdicts_;           ///< on the readings of what was heard, so far
     std::optional<AnsweredEvent>
         right_;  // in invited and judging_again: what the lesson will be told
     double invited_until_s_ = 0.0;

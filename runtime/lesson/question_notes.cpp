@@ -1,16 +1,21 @@
 #include "runtime/lesson/question_notes.h"
 
+#include "dialogue/conversation/help.h"
 #include "dialogue/english/antonyms.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/noun.h"
 #include "dialogue/english/opposite.h"
+#include "dialogue/english/verb.h"
 #include "dialogue/marking/question_review.h"
 #include "dialogue/result.h"
 #include "dialogue/speech/sound_dictionary.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
+#include "dialogue/template/tokens.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
+#include "runtime/lesson/sentence_form.h"
 #include "runtime/lua/api/asked_questions.h"
+#include "runtime/lua/api/binding_table.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -149,6 +154,17 @@ class Asking {
         texts_ = &texts;
     }
 
+    /// The name by which some call asks for a question that there is not, and most likely means this one; empty for none.
+    [[nodiscard]] std::string misspelt(const QuestionDescription& question,
+                                       const std::vector<std::string>& declared) const {
+        for (const AskUse& use : uses_) {
+            if (!use.name.empty() && std::ranges::find(declared, use.name) == declared.end() &&
+                nearest_word(use.name, declared) == question.id) {
+                return use.name;
+            }
+        }
+        return {};
+    }
     [[nodiscard]] bool lacks_hint(const QuestionDescription& question) const {
         return question.again.empty() && std::ranges::none_of(uses_, [&](const AskUse& use) {
                    return use.has_hint && (use.name.empty() || use.name == question.id);
@@ -198,29 +214,19 @@ dialogue::Opposites open_opposites() {
     return [shared](std::string_view word) { return shared->of(word); };
 }
 
-/// "is is": a form of grammar brings a word that the template has as well.
-std::string doubled_word(std::string_view sentence) {
-    std::string_view before;
-    while (!sentence.empty()) {
-        const std::size_t end = std::min(sentence.find(' '), sentence.size());
-        const std::string_view word = sentence.substr(0, end);
-        if (word == before && word != "that" && word != "had") {
-            return std::string(word);
-        }
-        before = word;
-        sentence.remove_prefix(std::min(end + 1, sentence.size()));
-    }
-    return {};
+/// "Is in the bowl.", "Needs a tail.": a verb that must have a subject has none. Shorter ones are short answers.
+bool lacks_subject(const std::string& sentence) {
+    const std::string first = dialogue::lower_case(sentence.substr(0, sentence.find(' ')));
+    dialogue::VerbForms forms;
+    return sentence.ends_with('.') && sentence.find(' ') != std::string::npos &&
+           dialogue::understand_verb(first, forms) && (forms.is_be || first == forms.singular);
 }
 
-/// What is wrong with an English sentence, as a sentence's end; empty for nothing.
-std::string tell_form(const dialogue::FormCheck& check, const std::string& sentence) {
-    if (const std::string doubled = doubled_word(sentence); !doubled.empty()) {
-        return "has \"" + doubled + "\" twice; take one out, or the form of grammar that brings it";
-    }
-    const dialogue::CheckedText checked = check(sentence);
-    return checked.errors.empty() ? ""
-                                  : "is no good English; better is \"" + checked.corrected + '"';
+/// What is wrong with what the program would say back; "" for nothing.
+std::string tell_said_back(const dialogue::FormCheck& check, const std::string& sentence) {
+    return lacks_subject(sentence)
+               ? "has no subject; let what stands before the verb be no part that may be left out"
+               : tell_form(check, sentence);
 }
 
 /// Sentences that the program would say back, and that it would correct if a learner said them.
@@ -228,7 +234,8 @@ void add_form_notes(const std::string& head, const dialogue::Question& question,
                     const dialogue::FormCheck& check, std::vector<std::string>& notes) {
     int told = dialogue::kNone;  // one an answer is enough
     for (const dialogue::SaidBack& back : dialogue::said_back(question)) {
-        if (const std::string wrong = told == back.answer ? "" : tell_form(check, back.sentence);
+        if (const std::string wrong =
+                told == back.answer ? "" : tell_said_back(check, back.sentence);
             !wrong.empty()) {
             told = back.answer;
             notes.push_back(concat({head, "answer ", std::to_string(back.answer + 1), ": \"",
@@ -237,12 +244,26 @@ void add_form_notes(const std::string& head, const dialogue::Question& question,
     }
 }
 
-/// What the program asks and says again, where it would correct it if a learner said it.
-void add_prompt_notes(const std::string& head, const QuestionDescription& described,
-                      const dialogue::FormCheck& check, std::vector<std::string>& notes) {
-    for (const std::string& text : {described.prompt, described.again}) {
-        if (const std::string wrong = tell_form(check, text); !wrong.empty()) {
-            notes.push_back(concat({head, "\"", text, "\" ", wrong, "."}));
+/// A hint in which a word of a list stands twice says nothing: "The ball is next to the ball."
+void add_hint_notes(const std::string& head, const dialogue::Question& question,
+                    std::vector<std::string>& notes) {
+    for (const int rung : {2, 3}) {
+        const std::string hint = dialogue::help_for(question, rung).sentence;
+        const std::string words = dialogue::words_between_blanks(hint);
+        for (const dialogue::WordList& list : question.templates->lists) {
+            for (const dialogue::ListItem& item : list.items) {
+                const std::string word = " " + dialogue::lower_case(item.value) + " ";
+                const std::size_t first = words.find(word);
+                if (first != std::string::npos &&
+                    words.find(word, first + word.size() - 1) != std::string::npos) {
+                    const std::string_view remedy =
+                        "give the first of `answers` a list there, or two lists without that word "
+                        "in both.";
+                    notes.push_back(concat({head, "who is not understood is told \"", hint,
+                                            "\", which has \"", item.value, "\" twice; ", remedy}));
+                    return;
+                }
+            }
         }
     }
 }
@@ -310,6 +331,10 @@ std::vector<std::string> question_notes(const LessonDescription& lesson,
         return sounds.empty() ? foreign_letter(std::string(word)).empty()
                               : dialogue::pronounce(word, look_up).has_value();
     };
+    std::vector<std::string> declared;
+    for (const QuestionDescription& described : lesson.questions) {
+        declared.push_back(described.id);
+    }
     for (const QuestionDescription& described : lesson.questions) {
         const dialogue::Question& question = questions->at(described.id);
         const std::string head = "lesson.lua:" + std::to_string(described.line) + ": question \"" +
@@ -320,18 +345,18 @@ std::vector<std::string> question_notes(const LessonDescription& lesson,
         }
         const auto unheard = dialogue::unheard_words(question, can_be_heard);
         add_unheard(head, unheard, sounds, notes);
-        if (sources.check) {
-            add_form_notes(head, question, sources.check, notes);
-            add_prompt_notes(head, described, sources.check, notes);
-        }
-        if (asking.lacks_hint(described)) {
+        add_form_notes(head, question, sources.check, notes);
+        add_hint_notes(head, question, notes);
+        const std::string misspelt = asking.misspelt(described, declared);
+        if (misspelt.empty() && asking.lacks_hint(described)) {
             notes.push_back(head +
                             "it has no `again`, and game.ask no `hint` for it, so after a wrong "
                             "answer nothing helps; give it one of them.");
         }
         if (asking.is_forgotten(described)) {
-            notes.push_back(head + "nothing asks it; write game.ask \"" + described.id +
-                            "\", or take it out.");
+            notes.push_back(
+                head + "nothing asks it; write game.ask \"" + described.id + "\", " +
+                (misspelt.empty() ? "or take it out." : "where \"" + misspelt + "\" stands now."));
         }
     }
     add_knowledge_notes(lesson, can_be_heard, sounds, sources.check, notes);

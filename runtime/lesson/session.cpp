@@ -3,7 +3,6 @@
 #include "runtime/lesson/free_english.h"
 #include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/questions.h"
-#include "runtime/progress/text_rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr std::size_t kLongestAnswer_bytes = 400;
 constexpr const char* kSureness = "sureness";  // the session's setting
 
 // Who stands beside the learner knows better how sure one must be to have heard than the lesson does.
@@ -27,9 +25,11 @@ dialogue::ConversationSettings settings_of(const LessonDescription& lesson, cons
 }  // namespace
 
 LessonSession::LessonSession(LessonDescription description, const Plan& plan,
-                             QuestionDialogue dialogue, SessionLog log,
-                             std::optional<Knowledge> knowledge, std::vector<PastAnswers> past)
+                             const dialogue::Catalogue& catalogue, QuestionDialogue dialogue,
+                             SessionLog log, std::optional<Knowledge> knowledge,
+                             std::vector<PastAnswers> past)
     : description_(std::move(description)),
+      catalogue_(&catalogue),
       dialogue_(std::move(dialogue)),
       knowledge_(std::move(knowledge)),
       told_about_(description_.bodies.size(), false),
@@ -64,7 +64,10 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     const dialogue::ConversationSettings settings = settings_of(description, plan);
     QuestionDialogue dialogue(std::move(*questions), catalogue, settings);
     if (plan.free_english) {
-        auto check = open_free_english(things_of(description));
+        // A lesson in real time must not wait for a dictionary between two frames.
+        auto check = open_free_english(
+            things_of(description),
+            plan.live ? dialogue::GrammarOpens::at_once : dialogue::GrammarOpens::for_a_sentence);
         if (!check) {
             return tl::unexpected(check.error());
         }
@@ -90,8 +93,8 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
         record.settings.emplace_back(kThroat, throat_text(plan.hearing.throat));
     }
     return std::unique_ptr<LessonSession>(new LessonSession(
-        std::move(description), plan, std::move(dialogue), SessionLog(store, std::move(record)),
-        std::move(*knowledge), std::move(past)));
+        std::move(description), plan, catalogue, std::move(dialogue),
+        SessionLog(store, std::move(record)), std::move(*knowledge), std::move(past)));
 }
 
 const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
@@ -226,66 +229,15 @@ std::string LessonSession::catch_sound(std::int32_t body) const {
     return "catch_" + description_.bodies[static_cast<std::size_t>(body)].model;
 }
 
-// Whatever a keyboard, a file or a recogniser gives: clean UTF-8 of a sentence's length.
-void LessonSession::hear(const dialogue::Hypothesis& heard) {
-    std::string words = kept_text(heard.text);
-    if (words.size() > kLongestAnswer_bytes) {
-        words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
-    }
-    const bool may_be_asking = knowledge_ && !dialogue_.understands(words);
-    if (knowledge_ && !may_be_asking && !dialogue_.listens()) {
-        tell(words, knowledge_->not_now());  // it was set aside, to be felt again
-    } else if (!may_be_asking || !ask_for(words, heard)) {
-        take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
-    }
-}
-
-// The learner asks: true when these words are none of an answer. A question that is open comes first.
-bool LessonSession::ask_for(const std::string& words, const dialogue::Hypothesis& heard) {
-    const bool heard_well = dialogue_.heard_well(heard.confidence);
-    auto asked = heard_well ? knowledge_->find(words, heard.form) : std::nullopt;
-    if (dialogue_.is_open()) {
-        if (asked) {
-            tell(words, knowledge_->first_mine());
-        }
-        return asked.has_value();
-    }
-    if (!asked) {
-        tell(words, heard_well ? knowledge_->unknown() : knowledge_->heard_badly());
-        return true;
-    }
-    queued_.push_back(AskedEvent{asked->knowledge, asked->mark.slots});
-    asked_for_ = std::move(asked);
-    return true;
-}
-
-// To somebody who asked.
-void LessonSession::tell(const std::string& said, const std::string& answer) {
-    speech_.reply(answer);
-    transcript_.tell(time_s_, said, answer);
-    show();
-}
-
-// What there is to say of a thing, when it is touched or caught for the first time and nobody is waited for; under a cloth it would
-// give it away.
-void LessonSession::tell_about(std::int32_t body) {
-    const auto i = static_cast<std::size_t>(body);
-    if (i >= told_about_.size() || told_about_[i] || hud_.covered[i] || dialogue_.is_open() ||
-        description_.bodies[i].about.empty()) {
-        return;
-    }
-    told_about_[i] = true;
-    speech_.reply(description_.bodies[i].about);
-    transcript_.explain(time_s_, description_.bodies[i].about);
-    show();
-}
-
 // What the dialogue came to: the lesson is told, and the learner hears, sees and is kept.
 void LessonSession::take(QuestionTurn turn) {
     std::move(turn.events.begin(), turn.events.end(), std::back_inserter(queued_));
     if (turn.answer) {
         const MarkedAnswer& answer = *turn.answer;
-        speech_.reply(answer.feedback.text);
+        // Praise for a question is said together with its answer.
+        if (!asked_for_) {
+            speech_.reply(answer.feedback.text);
+        }
         transcript_.answer(time_s_, answer);
     }
     // What was not heard well is no attempt.
@@ -319,7 +271,9 @@ Expected<void> LessonSession::keep_listening() {
     }
     turn_ = dialogue_.turns();
     listens_for_asking_ = false;
-    return speech_.listen(dialogue_.templates());
+    // Who is to ask may ask for anything that is known.
+    return speech_.listen(knowledge_ && dialogue_.wants_question() ? knowledge_->templates()
+                                                                   : dialogue_.templates());
 }
 
 // Between questions a learner may ask, where the lesson knows anything.

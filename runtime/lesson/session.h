@@ -135,9 +135,9 @@ class LessonSession {
     [[nodiscard]] const std::string& store_trouble() const { return log_.trouble(); }
 
   private:
-    LessonSession(LessonDescription description, const Plan& plan, QuestionDialogue dialogue,
-                  SessionLog log, std::optional<Knowledge> knowledge,
-                  std::vector<PastAnswers> past);
+    LessonSession(LessonDescription description, const Plan& plan,
+                  const dialogue::Catalogue& catalogue, QuestionDialogue dialogue, SessionLog log,
+                  std::optional<Knowledge> knowledge, std::vector<PastAnswers> past);
 
     void take_hinges(const AxleFrame& axles);
     void take_kite(const SessionInput& input);
@@ -146,6 +146,8 @@ class LessonSession {
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
     void hear(const dialogue::Hypothesis& heard);
     [[nodiscard]] bool ask_for(const std::string& words, const dialogue::Hypothesis& heard);
+    [[nodiscard]] bool asks_instead(const std::string& words, double confidence) const;
+    void take_question(AskedFor asked, double confidence);
     void tell(const std::string& said, const std::string& answer);
     void tell_about(std::int32_t body);
     [[nodiscard]] Expected<void> keep_listening();
@@ -172,6 +174,7 @@ class LessonSession {
     Expected<void> carry_out(const PrintCommand& command, SessionOutput& output);
 
     LessonDescription description_;
+    const dialogue::Catalogue* catalogue_;
     QuestionDialogue dialogue_;
     std::optional<Knowledge> knowledge_;  // what may be asked for; nothing for most lessons
     std::optional<AskedFor> asked_for_;   // until the lesson has told it

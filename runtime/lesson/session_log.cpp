@@ -23,9 +23,21 @@ dialogue::FormError to_form_error(const dialogue::FreeError& found) {
     return error;
 }
 
+/// As a teacher reads it without the sentence: "made by" and not "by", and what a verb that came too late belongs before.
 ErrorRecord to_record(const dialogue::FormError& error) {
-    return {std::string(error.errant()), error.said, error.right,
-            std::string(dialogue::grammar_point_id(dialogue::grammar_point(error))), error.target};
+    using Code = dialogue::ErrorCode;
+    ErrorRecord record{std::string(error.errant()), error.said, error.right,
+                       std::string(dialogue::grammar_point_id(dialogue::grammar_point(error))),
+                       error.target};
+    const bool preposition =
+        error.code == Code::wrong_preposition || error.code == Code::missing_preposition;
+    if (error.passive && preposition) {
+        record.span = error.said.empty() ? "made" : "made " + error.said;
+        record.correction = "made " + error.right;
+    } else if (error.code == Code::word_order && error.said.empty() && !error.phrase.empty()) {
+        record.correction = error.phrase;
+    }
+    return record;
 }
 
 }  // namespace

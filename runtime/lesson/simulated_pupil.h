@@ -1,6 +1,7 @@
 // A pupil who answers from a list, one line to each question in turn, or as a simulated learner; after a moment's thought.
 // A line that begins with "?" is asked instead when its turn has come, between questions or, where the next one came first,
 // while it is open; that question waits for the line after it.
+// A question of the pupil's among the answers is put off until the open one is answered, and the next line is said then.
 // An invitation to say a right answer once more is no question: it is left to pass.
 // Used by --say, by lessons' tests and by headless runs; the words go the same way as typed ones.
 #pragma once
@@ -31,6 +32,9 @@ class SimulatedPupil {
 
     /// What the pupil asks: a line that begins with "?", once it is its turn and the pause since the last thing said is over.
     [[nodiscard]] std::optional<std::string> ask(double now_s);
+
+    /// The lines that were not said yet.
+    [[nodiscard]] const std::deque<std::string>& left() const { return lines_; }
 
   private:
     std::deque<std::string> lines_;

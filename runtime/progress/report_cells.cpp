@@ -36,14 +36,16 @@ std::string times(std::int64_t count) {
 std::string plain_words(const FormErrorReport& error) {
     constexpr std::size_t kMostExamples = 3;
     const std::size_t shown = std::min(kMostExamples, error.examples.size());
-    std::string text;
+    std::string text = error.code == "R:WO" ? "word order: " : "";
     std::int64_t rest = error.count;
     for (std::size_t i = 0; i < shown; ++i) {
         const FormExample& example = error.examples[i];
         const std::string said = "\"" + example.span + "\"";
         const std::string right = "\"" + example.correction + "\"";
         text += i == 0 ? "" : ", ";
-        if (example.span.empty()) {
+        if (error.code == "R:WO" && example.span.empty()) {
+            text.append("the verb too late, for ").append(right);
+        } else if (example.span.empty()) {
             text.append("left out ").append(right);
         } else if (example.correction.empty()) {
             text.append(said).append(" where no word belongs");
@@ -57,7 +59,7 @@ std::string plain_words(const FormErrorReport& error) {
 }
 
 std::string plain_words(const GrammarPointReport& point) {
-    std::string name = point.point;
+    std::string name = point.point == "wording" ? "order of words" : point.point;
     std::replace(name.begin(), name.end(), '_', ' ');
     const std::string since =
         point.answers_since == 0 ? "in the last answer"

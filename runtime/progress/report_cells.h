@@ -18,7 +18,7 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::string times(std::int64_t count);
 
 /// An error as a teacher reads it: `left out "the" (4 times), "an" (once)`, `"most heavy" for "heaviest" (once)`, `"it" where no
-/// word belongs (once)`. The most frequent examples stand there, the rest is counted.
+/// word belongs (once)`, `word order: the verb too late, for "is the heaviest" (once)`. The most frequent examples stand there, the rest is counted.
 [[nodiscard]] std::string plain_words(const FormErrorReport& error);
 
 /// A point of grammar as a teacher reads it: `passive voice 3 (none in the last 5 answers)`, `article 1 (in the last answer)`.

@@ -56,6 +56,7 @@ inline constexpr Colour kLeverArm = kBlue;
 inline constexpr Colour kForceOutline = from_hex(0xFFFFFF);
 inline constexpr Colour kHighlight = kOrange;
 inline constexpr Colour kGhost = kSkyBlue;
+inline constexpr Colour kHiddenHand = kVermillion;  ///< behind something, seen through it
 
 /// An ink and the paper that it is read on.
 struct InkOnPaper {

@@ -1,7 +1,6 @@
 #include "runtime/scene/plan.h"
 
 #include "haptics/field/field.h"
-#include "haptics/loop/beside_thread.h"
 #include "runtime/scene/asked_by.h"
 #include "runtime/scene/plan_hands.h"
 #include "runtime/scene/plan_kite.h"
@@ -138,10 +137,7 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         }
     }
     if (plan.haptic.tool && has_thread(*lesson.hand.tool)) {
-        add("contact", "finding", BesideThread::compute_looks_Hz(plan.haptic.rate_hz),
-            plan.haptic.tool->beside ? "a thread finds contact beside the haptic loop"
-                                     : "each step finds contact; in a live run a thread does",
-            lesson.hand.line);
+        plan.stages.push_back(make_contact_stage(lesson, plan));
     }
     if (plan.kite) {
         add("kite", "flight", plan.kite->rate_hz, "a kite flies on the hand's line",
@@ -308,6 +304,7 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
     plan.picture = options.picture;
     plan.sound = options.sound;
     plan.record = options.record;
+    plan.live = options.live;
     plan.day = options.day;
     plan.dialogue = !lesson.questions.empty() || !lesson.knowledge.empty();
     plan.free_english = !lesson.questions.empty() && lesson.free_english;
@@ -375,7 +372,6 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
         plan.haptic.expects_world = true;
         plan.haptic.carries_weight = true;
     }
-
     take_options(lesson, options, plan);
     list_haptic_stages(lesson, plan.haptic, name_of_loop(0), plan);
     for (std::size_t i = 1; i <= plan.more_hands.size(); ++i) {

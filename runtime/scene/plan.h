@@ -116,6 +116,7 @@ struct Plan {
     bool recogniser = false;         ///< a speech recogniser listens; never with SpeechInput::text
     HearingOrder hearing{};          ///< what that is
     bool microphone = false;         ///< it hears one: somebody is there, and no recording is given
+    bool live = false;               ///< on the loops' own threads, in real time
     bool waits_for_hearing = false;  ///< until it answers: no hand waits
     std::vector<double> felt_weight_N;          ///< one a body, 0 when it can't be carried
     std::vector<MaterialFacts> material_facts;  ///< one a material of the lesson, as it is felt

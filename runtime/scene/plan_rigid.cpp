@@ -206,6 +206,12 @@ Expected<void> refuse_simulated(const LessonDescription& lesson) {
     return {};
 }
 
+/// With three digits, and not more than it is.
+double rounded_down(double mass_kg) {
+    const double last_digit = std::pow(10.0, std::floor(std::log10(mass_kg)) - 2.0);
+    return std::floor(mass_kg / last_digit) * last_digit;
+}
+
 /// How the hand meets it, and what a teacher should know of that.
 Expected<void> add_touch(const BodyDescription& body, const RigidBodyPlan& simulated,
                          std::size_t solid, double most_N, Plan& plan, double gravity_m_per_s2) {
@@ -217,11 +223,14 @@ Expected<void> add_touch(const BodyDescription& body, const RigidBodyPlan& simul
                                  plan.haptic.tool ? 0U : kGripButtons});
     const double weight_N = body.mass_kg * gravity_m_per_s2;
     if (weight_N > kWeightShareOfLimit * most_N) {
-        char text[200];
+        const double liftable_N = kWeightShareOfLimit * most_N;
+        char text[300];
         std::snprintf(text, sizeof(text),
-                      "The %s weighs %.1f N and the hand may feel %.1f N: it can be pushed, but "
-                      "not lifted (lesson.lua:%d).",
-                      body.noun.c_str(), weight_N, most_N, body.line);
+                      "The %s weighs %.2f N, and a hand that may feel %.1f N lifts %.2f N at most, "
+                      "so it can only be pushed; to be lifted its mass, which is %.3g kg, must be "
+                      "%.3g kg at most (lesson.lua:%d).",
+                      body.noun.c_str(), weight_N, most_N, liftable_N, body.mass_kg,
+                      rounded_down(liftable_N / gravity_m_per_s2), body.line);
         plan.notices.emplace_back(text);
     }
     return {};

@@ -2,6 +2,7 @@
 
 #include "haptics/dynamics/mesh_inertia.h"
 #include "haptics/geometry/shape.h"
+#include "haptics/loop/beside_thread.h"
 #include "haptics/tool/tool_plan.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/check_tool.h"
@@ -264,7 +265,19 @@ void add_notices(const LessonDescription& lesson, const std::vector<std::string>
 }  // namespace
 
 bool has_thread(const ToolDescription& tool) {
-    return tool.method == ToolMethod::implicit_penalty;
+    return tool.method == ToolMethod::implicit_penalty || tool.method == ToolMethod::god_object;
+}
+
+PlanStage make_contact_stage(const LessonDescription& lesson, const Plan& plan) {
+    const bool moves = lesson.hand.tool->method == ToolMethod::god_object;
+    const std::string what = moves ? " moves the tool" : " finds contact";
+    return {"contact",
+            moves ? "motion" : "finding",
+            BesideThread::compute_looks_Hz(plan.haptic.rate_hz),
+            0,
+            plan.haptic.tool->beside ? "a thread" + what + " beside the haptic loop"
+                                     : "each step" + what + "; in a live run a thread does",
+            lesson.hand.line};
 }
 
 const char* name_of(ShapeSource source) {

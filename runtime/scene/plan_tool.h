@@ -28,8 +28,10 @@ namespace fulcrum::runtime {
                                       const SolidLoader& load_solid, const PlanOptions& options,
                                       Plan& plan);
 
-/// Whether a live run has a thread that finds the tool's contacts beside the haptic loop: by how it is kept outside.
+/// Whether a live run has a thread that finds the tool's contacts, or moves it, beside the haptic loop: by how it is kept outside.
 [[nodiscard]] bool has_thread(const ToolDescription& tool);
+/// What it does, as a stage of the plan, which has its tool already.
+[[nodiscard]] PlanStage make_contact_stage(const LessonDescription& lesson, const Plan& plan);
 
 /// What the tool is like, in a few words: "cylinder", or its model's name.
 [[nodiscard]] std::string name_of(const ToolDescription& tool);

@@ -162,7 +162,7 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
         text += body_lines(lesson.bodies[body].noun, facts[i], plan.tool_shapes[i]);
     }
     if (lesson.hand.tool->method == ToolMethod::god_object) {
-        return text;
+        return text + "In a live run a thread of its own moves it, beside the steps.\n";
     }
     std::array<char, 160> line{};
     std::snprintf(

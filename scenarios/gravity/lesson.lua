@@ -9,11 +9,13 @@ local story = require "story"
 local wait, wait_for = story.wait, story.wait_for
 
 local L = lesson {
-  id = "gravity", title = "Which one is the heaviest?", level = "A1", minutes = 10,
+  id = "gravity", title = "Which one is the heaviest?", level = "A1", minutes = 10, free_english = true,
   feedback = { "recast", "prompt", "replay", "rule" },   -- of an error that comes again the bucket shows once more what is meant
 }
 
-know.things(L)
+-- Of what is not made of one material nobody can say what it is made of, nor how it feels.
+know.things(L, { made_of = false, is_made_of = false, feel = false, is_it = false })
+know.words(L, { "newton", "weight", "gravity", "force" })
 
 -- True masses in kilograms. `exaggeration` makes the felt weights easy to tell apart; Fulcrum then shrinks all of them by
 -- one factor until they fit under the arm's limit. With a limit of 10 N the apple weighs 6 N in the hand and the egg 3 N.
@@ -73,6 +75,8 @@ local function extreme(better)
   return best
 end
 
+local function is_heavier(a, b) return a and b and a.weight > b.weight end
+
 local function heaviest() return extreme(function(a, b) return a > b end) end
 local function lightest() return extreme(function(a, b) return a < b end) end
 
@@ -82,27 +86,44 @@ L:question "heavier" {
   prompt = "Which one is heavier, the apple or the egg?",
   again = "Let's weigh both again.",
   answers = { "[the|a|an] {thing} is <comparative:heavy> [than [the|a|an] {other}]",
-              "[the|a|an] {thing} is the <comparative:heavy> one", "the <comparative:heavy> one is [the|a|an] {thing}" },
+              "[the|a|an] {thing} is the <comparative:heavy> one", "the <comparative:heavy> one is [the|a|an] {thing}",
+              "[the|a|an] {thing} has more weight [than [the|a|an] {other}]" },
+  nearly = { "[the|a|an] {thing} is heavy more [than [the|a|an] {other}]", "[the|a|an] {thing} more heavy is [than [the|a|an] {other}]" },
+  -- Of the two that are asked about; what else that one is heavier than may be said with it.
   right = function(a)
     local thing, other = bodies[a.thing], bodies[a.other]
-    return thing == heaviest() and (other == nil or other.weight < thing.weight)
+    local asked = thing == bodies.apple and bodies.egg or thing == bodies.egg and bodies.apple
+    return is_heavier(thing, asked) and (other == nil or is_heavier(thing, other))
   end,
+  examples = { right = { "the apple weighs more", "the egg is not as heavy as the apple", "the egg isn't heavier",
+                         "the apple is heavier than the other one" },
+               wrong = { "the egg weighs more than the apple", "the apple isn't heavier", "they weigh the same", "neither is heavier",
+                         "the apple is as heavy as the egg" },
+               form = { "the apple weigh more", "the apple weight more", "the egg is not as heavy than the apple" } },
 }
 
 L:question "heaviest" {
   prompt = "Which one is the heaviest?",
   again = "Let's weigh them again.",
-  answers = { "[a|an|the] {thing} is the <superlative:heavy> [one|thing|object]",
-              "the <superlative:heavy> [one|thing|object] is [a|an|the] {thing}" },
+  answers = { "[a|an|the] {thing} is the <superlative:heavy> [one|thing|object|fruit]",
+              "the <superlative:heavy> [one|thing|object|fruit] is [a|an|the] {thing}", "[a|an|the] {thing} has the most weight" },
+  nearly = { "[a|an|the] {thing} is [the] heaviest [(one|thing|object|fruit)] (from|in|between) (all|them|all things)" },
   right = function(a) return bodies[a.thing] == heaviest() end,
+  examples = { right = { "the watermelon weighs the most", "the watermelon is heavier than the others", "the others are not as heavy as the watermelon",
+                         "nothing is heavier than the watermelon" },
+               wrong = { "the apple weighs the most", "the watermelon isn't the heaviest", "they all weigh the same", "none of them" },
+               form = { "the watermelon weigh the most", "the watermelon is heavier than others" } },
 }
 
 L:question "lightest" {
   prompt = "Which one is the lightest?",
   again = "Let's weigh them again.",
-  answers = { "[a|an|the] {thing} is the <superlative:light> [one|thing|object]",
-              "the <superlative:light> [one|thing|object] is [a|an|the] {thing}" },
+  answers = { "[a|an|the] {thing} is the <superlative:light> [one|thing|object|fruit]",
+              "the <superlative:light> [one|thing|object|fruit] is [a|an|the] {thing}", "[a|an|the] {thing} has the least weight" },
+  nearly = { "[a|an|the] {thing} is the less heavy", "[a|an|the] {thing} is [the] lightest [(one|thing|object|fruit)] (from|in|between) (all|them|all things)" },
   right = function(a) return bodies[a.thing] == lightest() end,
+  examples = { right = { "the egg weighs the least", "the egg is lighter than the others", "the others are heavier than the egg" },
+               wrong = { "the banana weighs the least", "the egg isn't the lightest", "they are equally light" } },
 }
 
 -- ---- the game -----------------------------------------------------------------------------------------------------

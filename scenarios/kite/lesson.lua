@@ -5,7 +5,7 @@
 -- answers change.
 
 local game = require "game"
-local story, explain_line = require "story", require "line"
+local story, explain_line, answers = require "story", require "line", require "answers"
 local wait, wait_until = story.wait, story.wait_until
 
 local L = lesson { id = "kite", title = "Why does a kite fly?", level = "A2", minutes = 15, free_english = true }
@@ -95,49 +95,33 @@ local function stays_up(world, seconds)
   return up
 end
 
--- ---- building ---------------------------------------------------------------------------------------------------------------
-
--- What is said of a part, and what becomes of it; nil when it cannot be changed that way any further.
-local function change_of(answer)
-  local size = answer.size or answer.tail_size
-  if answer.part then return {}, answer.part end
-  if size or answer.missing then
-    local tail = math.max(0, math.min(kite.tail + (size == "shorter" and -1 or 2), 8))
-    return { tail = tail ~= kite.tail and tail or nil }, "tail"
-  elseif answer.way then
-    local knot = math.max(lowest_knot, math.min(kite.knot + (answer.way == "up" and 0.06 or -0.06), highest_knot))
-    return { knot = math.abs(knot - kite.knot) > 0.001 and knot or nil }, "knot"
-  end
-  local cloth = answer.cloth or (answer.weight == "lighter" and "silk" or "paper")
-  return { cloth = cloth ~= kite.cloth and cloth or nil }, "cloth"
+-- Asks what is answered as answers.lua has it.
+local function question(name, asked)
+  for field, value in pairs(answers[name]) do asked[field] = value end
+  L:question(name)(asked)
 end
 
-local who, it = "[(I|we|you)] [(must|should|can|have to|want to|would)] ", "(it|the kite) "
+-- ---- building ---------------------------------------------------------------------------------------------------------------
 
-L:question "change" {
+-- What becomes of a part of which that is said; nil when it cannot be changed that way any further.
+local function change_of(answer)
+  local part, wanted = answers.wanted(answer)
+  if not wanted then return {}, part end
+  if part == "tail" then
+    local tail = math.max(0, math.min(kite.tail + (wanted == "shorter" and -1 or 2), 8))
+    return { tail = tail ~= kite.tail and tail or nil }, part
+  elseif part == "knot" then
+    local knot = math.max(lowest_knot, math.min(kite.knot + (wanted == "up" and 0.06 or -0.06), highest_knot))
+    return { knot = math.abs(knot - kite.knot) > 0.001 and knot or nil }, part
+  end
+  return { cloth = wanted ~= kite.cloth and wanted or nil }, part
+end
+
+-- Anything may be tried that can be done: the flight is the judge.
+question("change", {
   prompt = "How do you want to change the tail, the knot or the cloth?", again = "Say something else.",
-  answers = {
-    who .. "make the tail {size}", it .. "needs a {tail_size} tail", it .. "needs a {missing}",
-    "(I|we) (need|want) a {tail_size} tail", "(I|we) (need|want) a {missing}", it .. "(must|should|has to) have a {tail_size} tail",
-    it .. "(must|should|has to) have a {missing}", it .. "has no {missing}", "there is no {missing}",
-    "the tail (must|should|has to) be {size}", who .. "(move|put|push|tie) the knot {way}", who .. "make the cloth {weight}",
-    "the cloth (must|should|has to) be {weight}", it .. "needs a {weight} cloth", who .. "(use|take) a {weight} cloth",
-    who .. "(use|take) {cloth}", who .. "(add|give it|give the kite|put on|put|make|use) a {tail_size} tail",
-    who .. "(add|give it|give the kite|put on|put|make|use) a {missing}", "a {tail_size} tail", "a {weight} cloth", "a {missing}", who .. "change the {part}", "the {part}",
-  },
-  nearly = {
-    "make tail {size}", "tail {size}", "more {tail_size} tail", "{tail_size} tail", "{missing}", "the {missing}",
-    it .. "must has [a] {missing}", "need [a] {missing}", "needs [a] {missing}", "add {missing}", "tail must be {size}",
-    "(I|we) must to (add|make|use) [a] {missing}", "knot {way}", "{weight} cloth", "make cloth {weight}",
-  },
-  lists = {
-    size = { "longer|long|bigger", "shorter|short|smaller" }, tail_size = { "longer|long|bigger", "shorter|short|smaller" },
-    missing = { "tail|kite tail" }, part = { "knot", "cloth" }, way = { "up|higher|further up", "down|lower|further down" },
-    weight = { "lighter|light", "heavier|heavy" }, cloth = { "silk", "paper", "plastic", "nylon" },
-  },
-  -- Anything may be tried that can be done: the flight is the judge.
   right = function(a) return next((change_of(a))) ~= nil end,
-}
+})
 
 local tried = {
   tail = "The tail holds the kite's foot back, so that its nose points into the wind.",
@@ -155,7 +139,8 @@ local function change_it(world)
     change, part = change_of(answer)
     if answer.understood and not answer.right and not answer.over then
       wait(2)
-      say(world, answer.part and which_way[part] or part == "tail" and kite.tail == 0 and "It has no tail yet." or "That is as far as it goes.", 2.5)
+      say(world, answer.part and which_way[part] or part == nil and "We can change the tail, the knot or the cloth."
+        or part == "tail" and kite.tail == 0 and "It has no tail yet." or "That is as far as it goes.", 2.5)
     end
   until answer.over
   wait(2.5)
@@ -208,33 +193,21 @@ end
 
 -- ---- four forces ------------------------------------------------------------------------------------------------------------
 
-L:question "up" {
+question("up", {
   prompt = "Which force holds the kite up?", again = "Look at the arrows.",
-  answers = { "the {force} holds (it|the kite) up", "the {force} (pulls|pushes|keeps) (it|the kite) up",
-              "the {force} lifts (it|the kite) [up]", "it is the {force}", "the {force}" }, examples = { right = { "The lift pulls it up.", "The lift pushes it up." } },
-  nearly = { "[the] {force} (hold|holds|is hold|is holding|keep|lift) [(it|the kite)] up",
-             "[the] {force} (pull|push) [(it|the kite)] up", "[the] {force} it (hold|holds) [(it|the kite)] [up]", "{force}", "it is {force}" },
-  lists = { force = { "lift|lift force", "drag|drag force", "weight|gravity", "tension|tension force" } },
   -- It flew, and so what pointed up was the air's force across the wind, as long as it was more than the weight.
-  right = function(a) return a.force == "lift" and flown.lift > flown.weight end,
-}
+  right = function(a) return not (a.down or a.no_force) and a.force == "lift" and flown.lift > flown.weight end,
+})
 
-L:question "hand" {
+question("hand", {
   prompt = "Which force do you feel in your hand?", again = "Look at the line, and feel it.",
-  answers = { "(I|we) [can] feel the {force} [of the line]", "it is the {force} [of the line]", "the {force} [of the line]" },
-  nearly = { "(I|we) (am feel|am feeling|feels|feeling) [the] {force}", "(I|we) feel {force}", "it is {force}", "{force}" },
-  lists = { force = { "lift|lift force", "drag|drag force", "weight|gravity", "tension|pull|tension force|force of the line" } },
-  right = function(a) return a.force == "tension" and flown.pull > 0 end,   -- of the four the line's alone acts on the hand
-}
+  right = function(a) return not a.no_force and (a.force or "tension") == "tension" and flown.pull > 0 end,   -- of the four the line's alone acts on the hand
+})
 
-L:question "stronger" {
+question("stronger", {
   prompt = "Which force is stronger: the lift or the drag?", again = "Read the newtons.",
-  answers = { "the {force} is <comparative:strong> [than the {other}]", "the {force} is <comparative:big> [than the {other}]",
-              "it is the {force}", "the {force}" },
-  nearly = { "[the] {force} (are|be) <comparative:strong>", "it is {force}", "{force}" },
-  lists = { force = { "lift", "drag" }, other = { "lift", "drag" } },
-  right = function(a) return a.force ~= a.other and (flown.lift > flown.drag) == (a.force == "lift") end,
-}
+  right = function(a) return not a.same and a.force ~= a.other and (flown.lift > flown.drag) == (a.force == "lift") end,
+})
 
 local function show_forces(world)
   stays = true
@@ -276,15 +249,13 @@ local function feel(world)
   return { pull = still.pull, wind = flown.wind }
 end
 
-L:question "pull" {
+question("pull", {
   prompt = "Now the wind is stronger. Does the line pull more or less?", again = "Feel the line again.", feedback = { "replay", "prompt", "rule" },
-  answers = { "(it|the line) pulls {amount} [than before]", "(it|the pull|the tension) is <comparative:strong> [than before]",
-              "(it|the pull|the tension) is {size} [than before]", "<comparative:strong> [than before]", "{size} [than before]", "{amount} [than before]" },
-  nearly = { "(it|the line|they) (pull|is pull) {amount}", "(it|the line|they) (pull|pulls|is pull) {size}", "(it|the line|they) (pull|pulls|is pull) more strong",
-             "(it|the pull|the tension) is {amount} [than before]" },
-  lists = { amount = { "more|harder|more strongly", "less|more weakly" }, size = { "bigger|greater", "weaker|smaller" } },
-  right = function(a) return pulls_more() == (a.amount ~= "less" and a.size ~= "weaker") end,
-}
+  right = function(a)
+    local less = a.amount == "less" or a.size == "weaker" or a.with == "less force" or a.stronger == "smaller"
+    return not (a.same or a.denied or a.difference) and pulls_more() == not less
+  end,
+})
 
 local function from_breeze_to_strong(world)
   if kite.wind > 1.1 * before.wind then world:wind_speed(breeze) wait(5) end
@@ -324,30 +295,26 @@ end
 
 -- ---- why it comes down ------------------------------------------------------------------------------------------------------
 
-L:question "why" {
+question("why", {
   prompt = "Why did the kite come down?", again = "Look at lift and weight.",
-  answers = {
-    "[because] the {force} is <comparative:{size}> than the {other}", "[because] the {force} was <comparative:{size}> than the {other}",
-    "[because] there (is|was) no {nothing}", "[because] there (isn't|is not|wasn't|was not) any {nothing}",
-    "[because] (it|the kite) (has|had) no {nothing}", "[because] (it|the kite) (doesn't|didn't) have [any] {nothing}",
-    "[because] the {nothing} (stopped|has stopped|is gone)", "[because] the {nothing} (is|was) too weak",
-    "[because] without {nothing} (it|the kite) (can't|cannot|doesn't) fly", "no {nothing}",
-  },
-  nearly = {
-    "[because] (have|has|is) no {nothing}", "[because] the {force} <comparative:{size}> than the {other}", "because no {nothing}",
-    "[because] there (is|was) not {nothing}", "[because] (it|the kite) (don't|doesn't|didn't) (has|had) [any] {nothing}",
-    "[because] {nothing} (stopped|stop|is stop|has stopped)", "[because] the {nothing} (stop|is stop)",
-  },
-  lists = { force = { "lift", "weight" }, other = { "lift", "weight" }, size = { "small", "big", "weak", "strong" },
-            nothing = { "wind|air", "lift" } },
   -- It lies: what the air did to it there.
   right = function(a)
-    if a.nothing == "wind" then return kite.wind < 1 end
-    if a.nothing == "lift" then return lain.lift < lain.weight end
-    local more = a.size == "big" or a.size == "strong"
-    return a.force ~= a.other and (lain[a.force] > lain[a.other]) == more
+    local calm, heavy = lain.wind < 1, lain.lift < lain.weight
+    if a.burden then return heavy and a.burden == "heavy" end   -- its weight is more than the lift
+    if a.enough then return calm end
+    if a.size and not (a.force or a.part) then return calm and (a.size == "weak" or a.size == "small") end
+    if a.lift and (a.lift ~= "lift" or a.nothing ~= "wind") then return false end   -- "there is no wind without lift"
+    if a.part == "lift" and (a.size == "small" or a.size == "weak") then return heavy end
+    if a.part == "weight" and (a.size == "big" or a.size == "strong" or a.size == "great") then return heavy end
+    if a.part == "kite" and a.much == "heavy" then return heavy end
+    if a.part or a.blame or a.plenty or a.blowing or a.body or a.much then return false end
+    if a.nothing == "wind" or a.gone then return calm end
+    if a.nothing == "lift" or a.pull or not a.force then return heavy end   -- "it is heavier than the lift", "nothing holds it up"
+    local more = a.size == "big" or a.size == "strong" or a.size == "great" or a.amount == "more"
+    local other = a.other or (a.force == "lift" and "weight" or "lift")
+    return a.force ~= other and (lain[a.force] > lain[other]) == more
   end,
-}
+})
 
 local function stop_the_wind(world)
   stays, may_reel = false, false

@@ -4,11 +4,12 @@
 -- Earth on the other end. Change the Earth's weight or the support's place below and the right answers change with it.
 
 local game = require "game"
+local know = require "know"
 local numbers = require "numbers"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
-local L = lesson { id = "lever", title = "Can you lift the Earth?", level = "A2", minutes = 12 }
+local L = lesson { id = "lever", title = "Can you lift the Earth?", level = "A2", minutes = 12, free_english = true }
 
 local height = 0.3            -- of the support's edge, on which the lever lies
 local earth_x = -0.5          -- where the toy Earth presses
@@ -132,14 +133,35 @@ L:knows "weight" {
   answer = function() return level and ("The toy Earth weighs %.4g newtons."):format(level.weight) end,
 }
 
+-- A length as it is said: "1 millimetre", "30 centimetres", "0.999 metres".
+local function length(metres)
+  if metres < 0.0095 then
+    local n = math.floor(1000 * metres + 0.5)
+    return n .. (n == 1 and " millimetre" or " millimetres")
+  elseif metres < 0.995 then
+    local n = math.floor(100 * metres + 0.5)
+    return n .. (n == 1 and " centimetre" or " centimetres")
+  end
+  return math.abs(metres - 1) < 0.005 and "1 metre" or ("%.2g metres"):format(metres)
+end
+
 L:knows "arm" {
-  asked = { "how long is my arm", "how long is the arm", "how long is the arm of the Earth", "how long is the lever" },
+  asked = { "how long is (my|the|your) arm", "how long is the arm of (the Earth|the toy Earth)", "how long are the arms" },
   nearly = { "how long (my arm|the arm|arm) [is]", "how long is arm" },
-  examples = { right = { "How long is my arm?" }, form = { "how long my arm is" } },
+  examples = { right = { "How long is my arm?", "how long are the arms" }, form = { "how long my arm is" } },
   answer = function()
-    return ("Your arm is at most %.2f metres, the Earth's is %.3f metres."):format(end_x - support_x, support_x - earth_x)
+    return ("Your arm is at most %s, and the Earth's arm is %s."):format(length(end_x - support_x), length(support_x - earth_x))
   end,
 }
+
+L:knows "length" {
+  asked = { "how long is the lever", "how long is (it|this)" },
+  nearly = { "how long (the lever|lever|it) [is]", "how long is lever" },
+  examples = { right = { "How long is the lever?" }, form = { "how long the lever is" } },
+  answer = function() return ("The lever is %s long, from the Earth to its other end."):format(length(end_x - earth_x)) end,
+}
+
+know.words(L, { "lever", "support", "torque", "arm", "force", "newton", "weight" })
 
 L:knows "force" {
   asked = { "how much force do I need", "how strong must I be", "how many newtons do I need", "how hard must I press" },
@@ -152,20 +174,18 @@ L:knows "force" {
 
 local places = { near = 0.12, far = end_x }
 
--- "It is easier far from the support." The two words go with other prepositions, so each has sentences of its own.
-local function easier(place, preposition)
-  local where = ("{%s} %s (the support|it)"):format(place, preposition)
+-- "It is easier far from the support." The two words go with other prepositions, so each has rules of its own; both are said in the
+-- same sentences.
+local function easier(place)
+  local where, there, press = "<" .. place .. "_support>", "<" .. place .. "_place>", "(when|if) (I|you|we) (press|push) [down] [(it|the lever)] "
   return {
-    ("it is <comparative:easy> [to press] {%s} %s the support"):format(place, preposition),
-    "it is <comparative:easy> [to press] " .. where,
-    "it is <comparative:easy> [to press] {" .. place .. "}",
-    "(it is <comparative:easy>|I need less force) (when|if) (I|you|we) press " .. where,
-    "(it is <comparative:easy>|I need less force) (when|if) (I|you|we) press {" .. place .. "}",
-    "[(I|you|we)] [(must|should|can)] press " .. where,
-    "[(I|you|we)] [(must|should|can)] press {" .. place .. "}",
-    "I need less force " .. where,
-    where .. " [it is <comparative:easy> [to press]]",
-    "{" .. place .. "} it is <comparative:easy> [to press]",
+    "(it is|it gets|it becomes) <comparative:easy> " .. where,
+    "(it is|it gets|it becomes) <comparative:easy> <to_press> " .. there, "<comparative:easy> " .. there,
+    "(it is <comparative:easy>|it is less hard|(I|you|we) need less force|it takes less force) " .. press .. there,
+    "[(I|you|we)] [(must|should|can|have to)] (press|push) [less] [(it|the lever)] " .. there, "((I|you|we) need|it (needs|takes)) less force <to_press> " .. there,
+    "<" .. place .. "_whole>", there .. " (it is|it gets) <comparative:easy> <to_press>", press .. there .. " [it is <comparative:easy>]", "(when|if) (I am|you are|we are) " .. there, "less force is needed " .. there,
+    "(when|if|where) the (arm|lever arm) is {" .. place .. "_arm}", "(pressing|pushing) [(it|the lever)] " .. there .. " is <comparative:easy>",
+    "it is <comparative:easy> (when|if|where) (the|my|your) (arm|lever arm) is {" .. place .. "_arm}",
   }
 end
 
@@ -174,6 +194,7 @@ local function nearly_easier(place)
     "[the] {" .. place .. "} is <comparative:easy> [to press]",
     "it is <comparative:easy> [to press] in the {" .. place .. "}",
     "(when|if) (I|you|we) press {" .. place .. "} [from (the support|it)] [it] [is] <comparative:easy>",
+    "is <comparative:easy> <to_press> <" .. place .. "_place>", "more {" .. place .. "} [from] [(the support|it)]", "the more {" .. place .. "} the more easy",
   }
 end
 
@@ -185,42 +206,72 @@ end
 L:question "near_far" {
   prompt = "Where is it easier to press: near the support or far from it?",
   again = "Let's press again.", feedback = { "replay", "prompt", "rule" },
-  answers = joined(easier("far", "from"), easier("near", "")),
-  nearly = joined(nearly_easier "far", nearly_easier "near"),
+  -- The first is what help shows: the others have a word of their own for each place.
+  answers = joined(joined(joined({ "pressing is <comparative:easy> {where}" }, easier "far"), easier "near"), {
+    -- "The farther, the easier."
+    "the <comparative:{how}> [<from>] the <comparative:easy> [it (is|gets|becomes)]",
+    "it (is|gets|becomes) <comparative:easy> the <comparative:{how}> ((I|you|we) (press|push|go)|I am|you are) [(from|to) (the support|it)]", "<tip_of>",
+    "not near {not_by}", "at {by}", "it is {same}", "in the {between}",
+  }),
+  nearly = joined(joined(nearly_easier "far", nearly_easier "near"), {
+    "in the {far} (place|side|part|end) it is <comparative:easy>", "[the] more {far} is <comparative:easy>",
+    "it is <comparative:easy> (farest|most far) [from] [(the support|it|support)]", "(I|you|we) need (few|fewer|lesser|little) force {far} from (the support|it)",
+  }),
+  rules = {
+    to_press = "[to (press|push|move|lift) [down] [(it|the lever|the Earth)]]",
+    far_support = "{far} from the support", far_place = "(<far_whole>|{far})",
+    far_whole = "({far} from (the support|it)|as {far} [away] [from (the support|it)] as possible|at <tip_of>)", tip_of = "(the {tip}|the far end) [of the lever]",
+    from = "[the (arm|lever|lever arm)] [away] [(from|to) (the support|it)] [((I|you|we) (press|push|go)|I am|you are) [(it|the lever)] [away] [(from|to) (the support|it)]]",
+    near_support = "{near} the support", near_place = "(<near_whole>|{near})", near_whole = "({near} (the support|it|the middle)|as {near} (the support|it) as possible)",
+  },
   lists = {
     near = { "near|nearer|close to|closer to|next to|near to|close|closer" },
-    far = { "far|far away|further|further away|farther|farther away|a long way" },
+    far = { "far|far away|further|further away|farther|farther away|a long way|away" }, tip = { "end|tip|other end|very end" },
+    where = { "far from the support", "near the support", "at the end", "in the middle" }, not_by = { "the support" }, by = { "the support" },
+    same = { "the same|the same everywhere|the same at both places|equally easy|just as easy" }, between = { "middle" },
+    near_arm = { "short|shorter" }, far_arm = { "long|longer" }, how = { "far", "near", "close", "long", "short" },
   },
   right = function(a)
-    local here, there = places.near, places.far
-    if a.far then here, there = there, here end
+    if a.same or a.between or a.where == "in the middle" then return false end
+    local near = a.where == "near the support" or a.by or a.near or a.near_arm or a.how == "near" or a.how == "close" or a.how == "short"
+    local here, there = near and places.near or places.far, near and places.far or places.near
     return needed(here, support_x) < needed(there, support_x)
   end,
 }
 
 local ways = { Earth = -0.1, hand = 0.1 }   -- where the two are from the support
 
-local toward = "([(nearer|closer|close)] to|near|nearer|towards) the {goal}"
-
 L:question "which_way" {
   prompt = "Where must the support go: to the Earth or to your hand?",
   again = "Look at the two arms.",
   answers = {
     "the support must go [(nearer|closer)] to the {goal}",
-    "(the support|it) (must|should|has to|needs to|can) (go|move|come|be) " .. toward,
-    "(the support|it) (goes|moves|comes) " .. toward,
-    "[(I|you|we)] [(must|should|can|have to)] (move|push|put|bring) (it|the support) " .. toward,
-    toward,
+    "(the support|it) (must|should|has to|needs to|can) (go|move|come|be|be moved|be pushed|be put) <toward>",
+    "(the support|it) (goes|moves|comes) <toward>",
+    "[<who>] (move|push|put|bring|shift|slide) (it|the support) <toward>",
+    "<toward>", "the {goal}", "(the support|it) (must|should|has to|needs to) {stay} [(in the middle|where it is)]",
   },
   nearly = {
-    "(the support|it) (must to go|must goes|must going|go|going|is go|need go|have to go) " .. toward,
-    "[must] go " .. toward,
+    "(the support|it) (must to go|must goes|must going|go|going|is go|need go|have to go) <toward>",
+    "[must] go <toward>", "more (near|close) to the {goal}", "(I|you|we) must to (move|push|put) (it|the support) <toward>",
+    "(the support|it) must go more (near|close) to the {goal}",
   },
-  lists = { goal = { "Earth|left|left side", "hand|right|right side" } },
+  rules = {
+    who = "((I|you|we) [(must|should|can|could|would|will|have to|need to|want to)]|let us|(I|we) would like to)",
+    toward = "<at>|<me>|<away>|{side}",
+    at = "([(nearer|closer|close)] to|as (close to|near [to])|next to|near|nearer|towards|in the direction of) (the {goal}|the toy {goal}) [as possible]",
+    me = "([(nearer|closer|close)] to|next to|near|nearer|towards) {me}",
+    away = "[(further|farther|far)] away from the {from}|(further|farther|far) from the {from}",
+  },
+  lists = { goal = { "Earth|planet|left|left side", "hand|right|right side" }, from = { "Earth", "hand" }, me = { "me|us" }, stay = { "stay|stand still" }, side = { "left", "right" } },
   -- Both verbs are right: the learner's hand may be here or there.
   examples = { right = { "The support must go to the Earth.", "It must come to the Earth.", "The support goes nearer to the Earth.",
                          "It comes nearer to the Earth." } },
-  right = function(a) return needed(end_x, support_x + ways[a.goal]) < needed(end_x, support_x) end,
+  right = function(a)
+    if a.stay then return false end
+    local goal = a.goal or (a.from == "hand" or a.side == "left") and "Earth" or "hand"
+    return needed(end_x, support_x + ways[goal]) < needed(end_x, support_x)
+  end,
 }
 
 L:question "how_strong" {
@@ -228,13 +279,14 @@ L:question "how_strong" {
   again = "Multiply: force times arm is the same on both sides.",
   answers = {
     "I need {number} <plural:newton>",
-    "(I|you|we) [(must|have to|can)] (need|press with|push with|use|lift it with) {number} [(<plural:newton>|N)]",
-    "it is {number} (<plural:newton>|N)",
-    "{number} (<plural:newton>|N) [(is|are) enough]",
+    "(I|you|we) [(must|have to|need to|can|would|will)] (need|press with|push with|use|lift it with) [(a force of|about)] {number} [<newtons>] <to_lift>",
+    "(it is|it would be|that is|it takes|the force (is|must be)|the answer is) [(a force of|about)] {number} <newtons> <to_lift>",
+    "[(a force of|about)] {number} <newtons> [((is|are|would be) enough|is all (I|you) need)] <to_lift>", "my hand needs {number} <newtons>",
   },
-  nearly = { "(I|you|we) (must|am|is) need {number} [(newton|newtons|N)]", "need {number} [(newton|newtons|N)]",
+  nearly = { "(I|you|we) (must|am|is) need {number} [(newton|newtons|N)]", "need {number} [(newton|newtons|N)]", "is {number} [(newton|newtons|N)]",
              "(it|force|the force) [is] (need|needs) {number} [(newton|newtons|N)]",
-             "with {number} [(newton|newtons|N)]" },
+             "with {number} [(newton|newtons|N)]", "(I|you|we) need of {number} (newton|newtons)", "(I|you|we) need force of {number} [(newton|newtons|N)]", "(I|you|we) must to (press|push) with {number} [(newton|newtons|N)]" },
+  rules = { newtons = "(<plural:newton>|N) [of force]", to_lift = "[to (lift|move) (it|the Earth|the toy Earth)]" },
   lists = { number = numbers.words { 0, 1, 2, 3, 4, 5, 6, 8, 10, 20, 50, 100, 200, 500, 1000, 2000, 10000, 100000 } },
   right = function(a)
     local need = math.abs(lever.load_torque) / (end_x - support_x)

@@ -5,11 +5,12 @@
 
 local bank = require "bank"
 local game = require "game"
+local know = require "know"
 local maze = require "maze"
 local story = require "story"
 local wait = story.wait
 
-local L = lesson { id = "maze-park", title = "Find the way out of the maze!", level = "A2", minutes = 20, tries = 4 }
+local L = lesson { id = "maze-park", title = "Find the way out of the maze!", level = "A2", minutes = 20, tries = 4, free_english = true }
 
 bank.declare(L)
 
@@ -18,7 +19,7 @@ local columns, rows = 7, 5
 local cell_size = 0.12                             -- metres
 local size = { cell = cell_size, thick = 0.022, high = 0.045 }
 local step_time = 0.22                             -- seconds from cell to cell
-local eye = { -0.04, 1.2, 0.3 }
+local eye = { -0.125, 1.2, 0.35 }
 
 local garden = maze.make { columns = columns, rows = rows, seed = math.random(1000000), dead_ends = asked + 1 }
 local start, goal = 1, columns * rows
@@ -36,7 +37,7 @@ end
 
 function L:start(world)
   world:recall()
-  world:camera { eye = eye, target = { -0.04, 0, -0.04 }, angle = 42 }
+  world:camera { eye = eye, target = { -0.125, 0, 0.01 }, angle = 48 }
   world:hand { centre = { 0, 0.03, 0 }, scale = 4, cursor = "ball", cursor_size = 0.012 }
   world:body {
     name = "hedges", model = "box", solid = true, visible = true, material = "leaves",
@@ -91,11 +92,45 @@ L:knows "here" {
   answer = function() return "You are in a maze of hedges. Gems lie in its dead ends." end,
 }
 
+L:knows "task" {
+  asked = { "what (must|should|can|do) I do", "what do I have to do", "what is (my|the) task", "how does (it|this game) work", "what now" },
+  nearly = { "what I (must|should|have to) do", "what must I to do", "what have I to do" },
+  examples = { right = { "What must I do?", "what do I have to do" }, form = { "what I must do" } },
+  answer = function()
+    return found < asked and "Walk to the dead ends, and answer their questions. Then find the castle." or "The gate is open. Go to the castle, on the right!"
+  end,
+}
+
+L:knows "gate" {
+  asked = { "how (do|can) I open the gate", "how does the gate open", "when does the gate open", "is the gate open", "why is the gate closed" },
+  nearly = { "how I (open|can open|must open) [the] gate", "how (open|opens) the gate", "how the gate (open|opens)" },
+  examples = { right = { "How do I open the gate?", "is the gate open" }, form = { "how I can open the gate" } },
+  answer = function()
+    return found < asked and ("It opens when you have found %s."):format(gems_left(found)) or "The gate is open."
+  end,
+}
+
+know.words(L, {
+  maze = "A maze is a place with many ways, and most of them lead nowhere.",
+  hedge = "A hedge is a wall of green plants.",
+  gem = "A gem is a stone that shines.",
+  ["dead end"] = "A dead end is a way that goes no further.",
+  castle = "A castle is a big old house of stone.",
+})
+
 L:knows "hedge" {
-  asked = { "what are (these|the hedges) made of", "what is (it|this|the hedge) made of" },
+  asked = { "what are (these|the hedges|the walls) made of", "what is (it|this|the hedge|the maze|the wall) made of" },
   nearly = { "what is (it|this|hedge|the hedge) (make|made) (of|from|by)" },
   examples = { right = { "What is this made of?" }, form = { "what is the hedge made by" } },
   answer = function() return "A hedge is made of leaves and branches." end,
+}
+
+L:knows "hedge_is" {
+  asked = { "is (it|this|the hedge) made of {plant}", "are (these|they|the hedges) made of {plant}" },
+  nearly = { "is (it|this|hedge|the hedge) (make|made) (of|from|by) {plant}" },
+  lists = { plant = { "leaves|branches", "wood", "stone|rock", "metal" } },
+  examples = { right = { "Is this made of leaves?", "are the hedges made of stone" }, form = { "is hedge made of wood" } },
+  answer = function(a) return a.plant == "leaves" and "Yes, leaves and branches." or "No, a hedge is made of leaves and branches." end,
 }
 
 -- ---- walking ----------------------------------------------------------------------------------------------------------

@@ -7,9 +7,10 @@ local know = require "know"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
-local L = lesson { id = "stacks", title = "Blocks", level = "A1", minutes = 10 }
+local L = lesson { id = "stacks", title = "Blocks", level = "A1", minutes = 10, free_english = true }
 
 know.things(L)
+know.words(L, { "newton", "weight" })
 
 local edge = 0.08             -- of the cubes, metres
 local lifted = 0.04           -- so high above where it lay a block is lifted
@@ -55,8 +56,8 @@ end
 
 -- ---- questions ----------------------------------------------------------------------------------------------------------
 
--- "The wooden block" or "the wooden one".
-local called = { "wooden block|wooden one", "stone block|stone one", "metal block|metal one" }
+-- "The wooden block", "the wooden one", "the block of wood" or just "wood".
+local called = { "wooden block|wooden one|wood", "stone block|stone one|rock block|rock one|block of rock|stone|rock", "metal block|metal one|metal" }
 
 L:question "heavier" {
   prompt = "Which block is heavier: the wooden block or the metal block?",
@@ -71,43 +72,82 @@ L:question "heavier" {
     local asked = thing == bodies.wood and bodies.metal or thing == bodies.metal and bodies.wood
     return is_heavier(thing, asked) and (a.other == nil or is_heavier(thing, bodies[a.other]))
   end,
-  examples = { right = { "The metal block is heavier.", "the metal one is heavier", "the metal one" },
-               wrong = { "the wooden block is heavier", "the stone block is heavier", "the stone block" } },
+  examples = { right = { "The metal block is heavier.", "the metal one is heavier", "the metal one", "the block of metal", "metal is heavier",
+                         "the wooden block is not as heavy as the metal block", "the wooden block isn't heavier" },
+               wrong = { "the wooden block is heavier", "the stone block is heavier", "the stone block", "the wood block weighs more", "they weigh the same",
+                         "the metal block isn't heavier", "the stone block isn't heavier" } },
 }
 
 L:question "taller" {
   prompt = "Which block is the tallest?",
   again = "Look at the blocks again.",
   answers = { "[the|a] {thing} is the <superlative:tall> [one|block]",
-              "the <superlative:tall> (one|block) is [the|a] {thing}" },
+              "the <superlative:tall> [one|block] is [the|a] {thing}", "[the|a] {thing} is the (<superlative:high>|<superlative:big>) [one|block]",
+              "[the|a] {thing} is <comparative:tall> than (the other (two|blocks|two blocks)|both other blocks)" },
   lists = { thing = called },
   right = function(a)
     local thing = bodies[a.thing]
     return is_taller(thing, bodies.wood) and is_taller(thing, bodies.metal)
   end,
+  examples = { right = { "the block of stone", "the stone block is taller than the others", "the tallest is the rock block" },
+               wrong = { "the wood block", "the stone block isn't the tallest", "they are equally tall" } },
 }
 
 L:question "between" {
   prompt = "Which block is between the wooden block and the metal block?",
   again = "Look from left to right.",
-  answers = { "[the|a] {thing} is between (them|the wooden block and the metal block|the metal block and the wooden block)",
-              "it is [the|a] {thing}" },
-  nearly = { "[the|a] {thing} is between" },
-  lists = { thing = called },
-  right = function(a) return is_between(bodies[a.thing], bodies.wood, bodies.metal) end,
+  answers = { "[the|a] {thing} is between <two>", "it is [the|a] {thing} [(that|which) is (between <two>|in the middle)]", "[the|a] {thing} is", "[the|a] {thing} (is|stands) (in the middle|in between)",
+              "[the|a] {thing} stands between <two>", "the (block|one) in the middle is [the|a] {thing}", "between <two> is [the|a] {thing}", "there is [the|a] {thing} between <two>",
+              "[the|a] {thing} (is|stands) between [the] {thing:first} and [the] {thing:second}", "[the] {thing} is {beside} (them|<two>)",
+              "{none} [is between <two>]" },
+  nearly = { "[the|a] {thing} is between [of] [they]", "[the|a] {thing} is (in|on) middle", "[the|a] {thing} is in [the] between",
+             "[the|a] {thing} (stay|stays|stand) between <two>", "it is between [the] {thing}", "is [the] {thing}" },
+  lists = { thing = called, none = { "neither|neither one|neither of them|none|none of them|nothing|no block" }, beside = { "next to|beside|near" } },
+  rules = { two = "(them|them both|the two [blocks]|the two of them|the others|both [blocks]|the other (two|ones|blocks))" },
+  right = function(a)
+    if a.none or a.beside then return false end
+    local first, second = bodies[a.first] or bodies.wood, bodies[a.second] or bodies.metal
+    return first ~= second and (first == bodies.rock or second == bodies.rock) == false and is_between(bodies[a.thing], first, second)
+  end,
 }
 
+-- "In the metal block", "on top the metal block", "under of it": another preposition than the right one is said back with the right one.
+-- For that each of the three places has an answer of its own, with a slot of its own.
 L:question "on_top" {
   prompt = "Where is the wooden block now?",
   again = "Look at both blocks.",
-  answers = { "[(it|the wooden block) is] {place} [the] {thing}" },
-  lists = { place = { "on top of|on", "under|below" }, thing = called },
+  answers = { "[(it|the (wooden|wood) (block|one)) is] {place} [the] {thing}", "(it|the (wooden|wood) (block|one)) (lies|stands|sits|rests) {place} [the] {thing}",
+              "[<wooden> <is>] on top of the {thing:lower}", "[<wooden> <is>] on the top of the {thing:lower}", "[<wooden> <is>] below the {thing:upper}", "[<wooden> <is>] next to the {thing:side}", "[<wooden> <is>] (on|to) the {hand} of the {thing}",
+              "[<wooden> <is>] {alone}", "[it <is>] {it}", "(I|we) put it {place} the {thing}", "(I|we) put it on top of the {thing:lower}",
+              "[(it|the (wooden|wood) (block|one)) is] (at|on) the {end} [of the tower]", "[(it|the (wooden|wood) (block|one)) is] {elsewhere}",
+              "[the] {bearer} is {placed} it", "[the] {bearer} is {under} the wooden (block|one)" },
+  nearly = { "is {place} [the] {thing}", "is on top of [the] {thing:lower}", "is below [the] {thing:upper}", "is next to [the] {thing:side}",
+             "[[<wooden>] is] (on top|on top from|on top to|on the top from|up|up of|up from|onto|in) [the] {thing:lower}",
+             "[[<wooden>] is] (down|down of|down from|down to|below of|below from) [the] {thing:upper}",
+             "[[<wooden>] is] (next|next of|next from|next by|next at|near of|near from|besides|besides of) [the] {thing:side}",
+             "[[<wooden>] is] {place} (of|from|to) [the] {thing}", "<wooden> (lie|lay|lays|laid|stay|stays|stand) {place} [the] {thing}" },
+  rules = { wooden = "(it|the (wooden|wood) (block|one))", is = "(is|lies|stands|sits|rests)" },
+  lists = { place = { "on|above|over", "under|underneath|beneath", "beside|near", "inside", "in front of", "behind" },
+            thing = called, bearer = { called[2], called[3] }, hand = { "left", "right" }, alone = { "on top", "below" }, it = { "on top of it", "below it", "next to it" },
+            placed = { "under|below|underneath|beneath", "on top of|on|above|over" }, under = { "under|underneath|beneath", "on|above|over" }, ["end"] = { "top", "bottom" },
+            elsewhere = { "on the ground|on the floor|on the table|on the grass", "in the middle|in between", "on the left|to the left", "on the right|to the right" } },
   right = function(a)
-    local thing = bodies[a.thing]
-    if not thing or thing == bodies.wood then return false end
-    if a.place == "on top of" then return is_on(bodies.wood, thing) end
-    return is_on(thing, bodies.wood)
+    local on_one = is_on(bodies.wood, bodies.metal) or is_on(bodies.wood, bodies.rock)
+    if a["end"] or a.alone or a.it then
+      return on_one == (a["end"] == "top" or a.alone == "on top" or a.it == "on top of it") and a.it ~= "next to it"
+    end
+    if a.side or a.hand then return false end
+    local thing = a.thing or a.bearer
+    local lower, upper = bodies[a.lower or thing], bodies[a.upper or thing]
+    if lower == bodies.wood or upper == bodies.wood then return false end
+    if a.lower or a.place == "on" or a.placed == "under" or a.under == "under" then return lower ~= nil and is_on(bodies.wood, lower) end
+    return (a.upper or a.place == "under" or a.placed == "on top of" or a.under == "on") and upper ~= nil and is_on(upper, bodies.wood) or false
   end,
+  examples = { right = { "on top", "on it", "it's on top of the block of metal", "at the top", "it stands on the metal block", "it lies on it", "it sits on it", "it rests on it",
+                         "the metal block is under it" },
+               wrong = { "under it", "below", "at the bottom", "it is not on the metal block", "on the stone block", "next to the metal block" },
+               form = { "it is on metal block", "wooden block is on the metal block", "it is in the metal block", "on top the metal block", "is on the metal block",
+                        "it is over of the metal block" } },
 }
 
 -- ---- the game -----------------------------------------------------------------------------------------------------------

@@ -10,17 +10,30 @@ local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
 local L = lesson {
-  id = "textures", title = "What is it made of?", level = "A1", minutes = 12,
+  id = "textures", title = "What is it made of?", level = "A1", minutes = 12, free_english = true,
   feedback = { "recast", "prompt", "replay", "rule" },   -- when an error comes again, the hand strokes the block once more
 }
 
-know.things(L)
+know.things(L, { weight = false })   -- how heavy these are nobody felt
 
 local names = { "metal", "wood", "rock" }
 
 -- How else they are called; "it is wooden" says that it is made of wood.
 local called = { "metal", "wood", "rock|stone" }
-local function said_material(a) return a.wooden and "wood" or a.material end
+-- What a thing might be made of as well: understood, and wrong.
+local guessed = { "metal", "wood", "rock|stone", "plastic", "glass", "paper", "rubber", "cloth", "gold" }
+local materials = { metal = "metal", wooden = "wood", rock = "rock", plastic = "plastic", glass = "glass", rubber = "rubber", paper = "paper" }
+local function said_material(a)
+  local thing = a.whole or a.wooden
+  return thing and materials[thing:match "^%a+"] or a.material
+end
+
+-- "Metal block", "wooden block": a thing with what it is made of.
+local function with_materials(noun)
+  local said = { "rock " .. noun .. "|stone " .. noun }
+  for _, material in ipairs { "metal", "wooden", "plastic", "glass", "rubber", "paper" } do said[#said + 1] = material .. " " .. noun end
+  return said
+end
 
 local adjectives = { "hard", "soft", "rough", "smooth", "slippery", "sticky" }
 
@@ -46,7 +59,7 @@ function L:start(world)
   world:ground(top - 0.025)
   world:camera { eye = { 0, 0.80, 0.80 }, target = { 0, 0.46, 0 }, angle = 36 }
   world:hand { centre = { 0, 0.46, 0 } }
-  world:body { name = "board", model = "plank", visible = true, at = { 0, top, 0 } }
+  world:body { name = "board", noun = "", model = "plank", visible = true, at = { 0, top, 0 } }
   for i, name in ipairs(names) do
     blocks[name] = world:body {
       name = name, model = "box", radius = side, material = name,
@@ -117,20 +130,53 @@ end
 -- ---- questions ------------------------------------------------------------------------------------------------------
 
 -- Is all that was said true of that material?
-local function all_true(material, one, also)
-  return know.feels(material, one) and (also == nil or know.feels(material, also))
+local function all_true(material, ...)
+  for _, said in ipairs { ... } do
+    if not know.feels(material, said) then return false end
+  end
+  return true
+end
+
+-- What else is true of them, and nobody can feel here.
+local also_true = {
+  metal = { cold = true, shiny = true, grey = true, strong = true }, wood = { warm = true, brown = true, strong = true },
+  rock = { cold = true, grey = true, bumpy = true, strong = true },
+}
+
+-- "Rougher than metal", by what the hand feels of both.
+local degrees = { hard = "hardness", soft = "hardness", rough = "roughness", smooth = "roughness", slippery = "slipperiness", sticky = "slipperiness" }
+local less = { soft = true, smooth = true, sticky = true }
+local function is_more(adjective, one, other)
+  if not (blocks[one] and blocks[other]) then return false end
+  local more = blocks[one].material[degrees[adjective]] - blocks[other].material[degrees[adjective]]
+  return less[adjective] and more < 0 or not less[adjective] and more > 0
 end
 
 for _, name in ipairs(names) do
+  local own, others = {}, {}
+  for _, words in ipairs(called) do table.insert(words:match "^%a+" == name and own or others, words) end
   L:question("like_" .. name) {
     prompt = "What is " .. name .. " like?",
     again = "Let's feel it again.",
     answers = { "{material} is <adjective:{feel}> [and <adjective:{feel:also}>]",
                 "{material} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]",
-                "(it|this|this one) feels <adjective:{feel}> [and <adjective:{feel:also}>]" },
-    lists = { material = called, feel = adjectives },
+                "(it|this|this one) feels <adjective:{feel}> [and <adjective:{feel:also}>]",
+                "{material} (is|feels) <three>", "(it|this|this one) (is|feels) <three>",
+                "({material}|it|this) is a <adjective:{feel}> material", "{wrong} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]",
+                "({material}|it|this) (is|feels) <adjective:{feel}> like <something>", "({material}|it|this) can be <adjective:{feel}>",
+                "({material}|it|this) (is|feels) <adjective:{extra}>", "({material}|it|this) (is|feels) <adjective:{extra}> and <adjective:{feel}>",
+                "({material}|it|this) (is|feels) <adjective:{feel}> and <adjective:{extra}>",
+                "{material} is <comparative:{feel:more}> than {wrong:other}", "(it|this) is <comparative:{feel:more}> than {wrong:other}",
+                "not (as|so) <adjective:{feel:less}> as {wrong:other}" },
+    nearly = { "(it|{material}) has {feel}" },
+    lists = { material = own, wrong = others, feel = adjectives, extra = { "cold", "warm", "shiny", "grey", "brown", "strong", "bumpy" } },
+    rules = { three = "<adjective:{feel}> [and] <adjective:{feel:also}> and <adjective:{feel:third}>",
+              something = "(sandpaper|glass|ice|stone|a stone|wood|metal|a mirror|a wall|rubber)" },
     right = function(a)   -- "It is hard" says no material: then it is the one that was asked for
-      return (a.material or name) == name and all_true(blocks[name].material, a.feel, a.also)
+      if a.more then return is_more(a.more, a.material or a.wrong or name, a.other or name) and (a.material or a.wrong or name) == name end
+      if a.less then return is_more(a.less, a.other, name) end
+      if a.extra and not also_true[name][a.extra] then return false end
+      return not a.wrong and all_true(blocks[name].material, a.feel, a.also, a.third)
     end,
   }
 end
@@ -141,18 +187,28 @@ L:question "under" {
   prompt = "What is under this cloth?",
   again = "Let's feel it again.",
   answers = { "<it> is {material}", "{material} [is under (the|this) cloth]", "<it> <made_of:{material}>", "<it> is {wooden}",
-              "there is {material} [under (the|this|it)] [cloth]", "under (the|this) cloth is {material}" },
-  lists = { material = called, wooden = { "wooden" } },
-  right = function(a) return said_material(a) == hidden.material.name end,
+              "there is {material} [under (it|(the|this) cloth)]", "under (the|this) cloth [there] is {material}",
+              "(it|this) feels like {material}", "(it|this) (must|could|might) be {material}", "it is something made of {material}",
+              "(it|this|that) is [a|the] {whole}", "there is [a|the] {whole} [under (it|(the|this) cloth)]",
+              "[a|the] {whole} [is under (it|(the|this) cloth)]" },
+  nearly = { "under (the|this) cloth it is [a] {material}" },
+  lists = { material = guessed, wooden = { "wooden" }, whole = with_materials "block" },
+  right = function(a) return hidden and said_material(a) == hidden.material.name end,
+  examples = { right = { "a metal block", "it's a block of metal", "it feels like metal", "the metal block is under the cloth" },
+               wrong = { "it isn't metal", "a block of wood", "it is not made of metal", "not metal" },
+               form = { "it is block of metal" } },
 }
 
 for _, thing in ipairs(things) do
   L:question("made_" .. thing.name) {
     prompt = "What is the " .. thing.name .. " made of?",
     again = "Let's feel it again.",
-    answers = { "[a|an|the] {thing} <made_of:{material}>", "[(a|an|the)] {thing} is ({wooden}|{material})",
-                "it is {wooden}" },
-    lists = { thing = { "spaceship", "table", "statue" }, material = called, wooden = { "wooden" } },
+    answers = { "[a|an|the] {thing} <made_of:{material}>", "[(a|an|the)] {thing} is {wooden}",
+                "it is {wooden}", "(it|this) is a {whole}", "(it|[the] {thing}) consists of {material}", "the material is {material}",
+                "(it|[a|the] {thing}) (must|could|might) be [made of] {material}", "(they|people|we) (make|made) (it|[a|the] {thing}) (of|out of|from) {material}",
+                "(they|people|we) make <things> (of|out of|from) {material}", "(it|[a|the] {thing}) is made (of|out of|from) <kind> {material}" },
+    rules = { kind = "(brown|grey|old|real|solid|good|dark|thick)", things = thing.name .. "s" },
+    lists = { thing = { "spaceship", "table", "statue" }, material = guessed, wooden = { "wooden" }, whole = with_materials(thing.name) },
     right = function(a)
       return (a.thing or thing.name) == thing.name and said_material(a) == made[thing.name].material.name
     end,

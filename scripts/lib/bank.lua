@@ -68,7 +68,7 @@ function bank.declare(lesson)
   declared = true
   for _, question in ipairs(all) do
     lesson:question(question.id) {
-      prompt = question.prompt, answers = question.answers, nearly = question.nearly, lists = question.lists,
+      prompt = question.prompt, answers = question.answers, nearly = question.nearly, lists = question.lists, rules = question.rules,
       right = question.right, examples = question.examples, again = question.hint,
     }
   end

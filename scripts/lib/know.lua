@@ -4,6 +4,7 @@
 ---   local know = require "know"
 ---   know.things(L)                        -- at the top of the file
 ---   know.things(L, { weight = false })    -- not what the lesson is about to ask
+---   know.words(L, { "lever", "torque" })  -- what the lesson's words mean
 ---
 --- "It" and "this" are what the hand holds, else what it touches or touched last. Other things a lesson tells by L:knows.
 
@@ -50,44 +51,110 @@ local function feel_of(material)
   return material.words.hard and "hard" or "soft", material.words.rough and "rough" or "smooth"
 end
 
+-- Where what a thing is called by comes from, if it is called by what it is made of: a block of wood that is just "wood".
+local comes_from = {
+  wood = "Wood comes from trees.", metal = "Metal comes from stones that are melted.", rock = "Rock is what mountains are made of.",
+  rubber = "Rubber comes from the juice of a tree, or from oil.", glass = "Glass is made from sand.", ice = "Ice is frozen water.",
+}
+
+-- How much of it a material has: a number of it, and whether more or less.
+local degrees = {
+  hard = { "hardness", 1 }, soft = { "hardness", -1 }, rough = { "roughness", 1 }, smooth = { "roughness", -1 },
+  slippery = { "slipperiness", 1 }, sticky = { "slipperiness", -1 },
+}
+
+-- "Yes, it is." where a thing is more so than the other; nobody feels less than a hundredth of it.
+local function compare(material, other, adjective)
+  local of, sign = table.unpack(degrees[adjective])
+  local more = sign * (material[of] - other[of])
+  if math.abs(more) < 0.01 then return ("No, they are equally %s."):format(adjective) end
+  return more > 0 and "Yes, it is." or "No, it isn't."
+end
+
+-- "Rough or smooth?"
+local function which_of(material, one, other)
+  local is_one, is_other = know.feels(material, one), know.feels(material, other)
+  if is_one and is_other then return ("It is %s and %s."):format(one, other) end
+  if not (is_one or is_other) then return ("It isn't %s, and it isn't %s."):format(one, other) end
+  return ("It is %s."):format(is_one and one or other)
+end
+
+-- An answer about the thing that is meant, where the learner has it and sees it.
+local function of_what_is_seen(tell)
+  return function(asked, world)
+    local body = meant(asked, world)
+    if not body then return nothing_yet end
+    if body.covered then return "I can't see it. Feel it!" end
+    return tell(asked, body)
+  end
+end
+
+-- A body of which nobody said what it weighs has a kilogram, and no hand can carry it.
+local function is_unweighed(body) return body.mass == 1 and body.felt_weight == 0 end
+
 local known = {
   this = {
     asked = { "what is (this|that|it) [called]", "what am I (holding|touching)", "what do I have [in my hand]" },
     nearly = { "what (this|that|it) [is] [called]", "what (is|are) (I|you) (holding|touching)",
                "what I (am holding|am touching|hold|touch|have) [in my hand]" },
-    answer = function(asked, world)
-      local body = meant(asked, world)
-      if not body then return nothing_yet end
-      if body.covered then return "I can't see it. Feel it!" end
+    answer = of_what_is_seen(function(asked, body)
       -- A block of metal that is called so: "This is metal."
       local is_material = body.material and body.material.name == body.noun
       return ("This is %s."):format(is_material and body.noun or with_article(body.noun))
-    end,
+    end),
   },
   made_of = {
     asked = { "what is (it|this|that) made (of|from)", "what is [the|a|an] {thing} made (of|from)",
-              "what material is (it|this|that)" },
+              "what material is (it|this|that|[the|a|an] {thing})", "what material is (it|this|that|[the|a|an] {thing}) made (of|from)" },
     nearly = { "what (it|this|that) is (made|make) [of|from|by]", "what is (it|this|that) (make (of|from|by)|made by|made)",
                "what [is] [the|a|an] {thing} (make (of|from|by)|made by|made)", "what [the|a|an] {thing} is (made|make) [of|from|by]",
-               "what material (it|this|that) [is]", "what material has (it|this|that)" },
-    answer = function(asked, world)
-      local body = meant(asked, world)
-      if not body then return nothing_yet end
-      if body.covered then return "I can't see it. Feel it!" end
-      return body.material and ("%s is made of %s."):format(called(asked, body), body.material.name)
-    end,
+               "what material (it|this|that) [is]", "what material has (it|this|that)", "what material [the|a|an] {thing} is", "what material has [the|a|an] {thing}" },
+    answer = of_what_is_seen(function(asked, body)
+      if not body.material then return nil end
+      local name = body.material.name
+      if name == body.noun then return comes_from[name] or ("%s is a material itself."):format(upper(name)) end
+      return ("%s is made of %s."):format(called(asked, body), name)
+    end),
+  },
+  is_made_of = {
+    asked = { "is (it|this|that) made (of|out of) {material}", "is [the|a|an] {thing} made (of|out of) {material}", "is (it|this|that) {material}",
+              "is [the|a|an] {thing} {material}", "is (it|this|that) {wooden}", "is [the|a|an] {thing} {wooden}",
+              "is (it|this|that) [made (of|out of)] {stone_name}", "is [the|a|an] {thing} [made (of|out of)] {stone_name}" },
+    nearly = { "is (it|this|that) (make (of|from|by)|made (by|with|from)|made) {material}", "is [the|a|an] {thing} (make (of|from|by)|made (by|with|from)|made) {material}",
+               "(do|does) (it|this|that) made (of|from|by) {material}", "(do|does) [the|a|an] {thing} made (of|from|by) {material}",
+               "is (it|this|that) (make (of|from|by)|made (by|with|from)|made) {stone_name}", "is [the|a|an] {thing} (make (of|from|by)|made (by|with|from)|made) {stone_name}" },
+    lists = { wooden = { "wooden" }, stone_name = { "stone" } },
+    answer = of_what_is_seen(function(asked, body)
+      if not body.material then return nil end
+      local name = body.material.name
+      local said = asked.wooden and "wood" or asked.stone_name and "rock" or asked.material
+      return (name == said or name == asked.stone_name) and "Yes, it is." or ("No, it is made of %s."):format(body.material.name)
+    end),
   },
   weight = {
     asked = { "how heavy is (it|this|that)", "how heavy is [the|a|an] {thing}", "how much does (it|this|that) weigh",
-              "how much does [the|a|an] {thing} weigh", "what is the weight of (it|this|that)" },
+              "how much does [the|a|an] {thing} weigh", "what is the weight of (it|this|that|[the|a|an] {thing})",
+              "is (it|this|that) <adjective:{weight}>", "is [the|a|an] {thing} <adjective:{weight}>" },
     nearly = { "how heavy (it|this|that) [is]", "how heavy [the|a|an] {thing} [is]", "how much (it|this|that) (weigh|weighs)",
                "how much [the|a|an] {thing} (weigh|weighs)", "how (much|many) (do|does) (it|this|that) (weighs|weight)",
                "how (much|many) (do|does) [the|a|an] {thing} (weighs|weight)", "what weight (is|has) (it|this|that)" },
+    lists = { weight = { "heavy", "light" } },
     answer = function(asked, world)
       local body = meant(asked, world)
-      -- A body of which nobody said what it weighs has a kilogram, and no hand can carry it.
-      if body and body.mass == 1 and body.felt_weight == 0 then return nil end
+      if body and is_unweighed(body) then return nil end
       return body and ("%s weighs %.1f newtons."):format(called(asked, body), body.weight) or nothing_yet
+    end,
+  },
+  heavier = {
+    asked = { "is (it|this|that) <comparative:{weight}> than [the|a|an] {thing:other}", "is [the|a|an] {thing} <comparative:{weight}> than [the|a|an] {thing:other}" },
+    nearly = { "does (it|this|that) {weight} than [the|a|an] {thing:other}", "(does|do) [the|a|an] {thing} {weight} than [the|a|an] {thing:other}" },
+    lists = { weight = { "heavy", "light" } },
+    answer = function(asked, world)
+      local body, other = meant(asked, world), asked.bodies.other
+      if not body then return nothing_yet end
+      if not other or is_unweighed(body) or is_unweighed(other) then return nil end
+      local more = asked.weight == "heavy" and body.weight > other.weight or asked.weight == "light" and body.weight < other.weight
+      return more and "Yes, it is." or body.weight == other.weight and "No, they weigh the same." or "No, it isn't."
     end,
   },
   feel = {
@@ -102,22 +169,29 @@ local known = {
     end,
   },
   is_it = {
-    asked = { "is (it|this|that) <adjective:{feel}>", "is [the|a|an] {thing} <adjective:{feel}>" },
-    nearly = { "(do|does) (it|this|that) {feel}", "(do|does) [the|a|an] {thing} {feel}" },
+    asked = { "is (it|this|that) <adjective:{feel}>", "is [the|a|an] {thing} <adjective:{feel}>", "does (it|this|that) feel <adjective:{feel:felt}>",
+              "does [the|a|an] {thing} feel <adjective:{feel:felt}>", "is (it|this|that) <adjective:{feel}> or <adjective:{feel:also}>",
+              "is [the|a|an] {thing} <adjective:{feel}> or <adjective:{feel:also}>", "is (it|this|that) <comparative:{feel:more}> than [the|a|an] {thing:other}",
+              "is [the|a|an] {thing} <comparative:{feel:more}> than [the|a|an] {thing:other}" },
+    nearly = { "(do|does) (it|this|that) {feel}", "(do|does) [the|a|an] {thing} {feel}", "(do|does|is) (it|this|that) (feel|feels) {feel:felt}",
+               "(do|does|is) [the|a|an] {thing} (feel|feels) {feel:felt}" },
     lists = { feel = { "hard", "soft", "rough", "smooth", "slippery", "sticky" } },
     answer = function(asked, world)
-      local body = meant(asked, world)
+      local body, other = meant(asked, world), asked.bodies.other
       if not body then return nothing_yet end
       if not body.material then return nil end
+      if asked.more then return other and other.material and compare(body.material, other.material, asked.more) end
+      if asked.also then return which_of(body.material, asked.feel, asked.also) end
+      if asked.felt then return know.feels(body.material, asked.felt) and "Yes, it does." or "No, it doesn't." end
       return know.feels(body.material, asked.feel) and "Yes, it is." or "No, it isn't."
     end,
   },
 }
 
-local order = { "this", "made_of", "weight", "feel", "is_it" }
+local order = { "this", "made_of", "is_made_of", "weight", "heavier", "feel", "is_it" }
 
---- Lets a learner ask about the scene's things. Options leave some of it out: `this`, `made_of`, `weight`, `feel`, `is_it`, each
---- true by default.
+--- Lets a learner ask about the scene's things. Options leave some of it out: `this`, `made_of`, `is_made_of`, `weight`, `heavier`, `feel`, `is_it`,
+--- each true by default; without `weight` there is no `heavier` either.
 ---@param lesson Lesson
 ---@param options table|nil
 function know.things(lesson, options)
@@ -129,8 +203,71 @@ function know.things(lesson, options)
     if type(value) ~= "boolean" then mistake("know.things's " .. name .. " is true or false; got " .. shown(value)) end
   end
   for _, name in ipairs(order) do
-    if options[name] ~= false then lesson:knows(name)(known[name]) end
+    if options[name] ~= false and not (name == "heavier" and options.weight == false) then lesson:knows(name)(known[name]) end
   end
+end
+
+-- What the words of physics mean that lessons use.
+local glossary = {
+  arm = "An arm is how far a force is from the support of a lever.",
+  axis = "An axis is a line that a thing turns about.",
+  drag = "Drag is the force of the air that pushes a kite along with the wind.",
+  force = "A force is a push or a pull.",
+  gravity = "Gravity is the pull of the Earth. It makes things fall.",
+  inertia = "Inertia makes a thing hard to move and hard to stop.",
+  lever = "A lever is a bar that turns on a support.",
+  lift = "Lift is the force of the air that holds a kite up.",
+  newton = "A newton is what we measure forces in. A small apple weighs about one newton.",
+  planet = "A planet is a big ball that goes round a star.",
+  pole = "A pole is a place where the axis of a planet comes out.",
+  support = "A support is what a lever lies and turns on.",
+  tension = "Tension is the pull in a line that is tight.",
+  torque = "Torque is force times arm. It makes things turn.",
+  weight = "Weight is how hard the Earth pulls a thing. We measure it in newtons.",
+}
+
+-- How to ask what a word of `list` means, which is said with an article, as "a lever", or without, as "drag"; few ways, for a lesson may know
+-- only so many.
+local function asked_words(list, slot, with_article, asked, nearly)
+  if #list == 0 then return end
+  local word, any = "{" .. slot .. "}", "[a|an|the] {" .. slot .. "}"
+  local is_of = with_article and any or word
+  asked[#asked + 1] = "what is " .. is_of
+  asked[#asked + 1] = ("(what does [the word] %s mean|what is (the meaning of|meant by) %s|%s what %s (is|means)|(can|could) you explain %s)")
+    :format(word, word, "(tell me|do you know|(can|could) you tell me|I want to know)", is_of, is_of)
+  nearly[#nearly + 1] = ("what (%s (mean|means|is)|(mean|means|is mean) %s|(do|does|is) %s (mean|means))"):format(any, any, any)
+end
+
+--- Lets a learner ask what words mean: those of physics that stand here, by name, and others of your own, `{ "lever", gem = "A gem is a nice stone." }`.
+--- Here stand arm, axis, drag, force, gravity, inertia, lever, lift, newton, planet, pole, support, tension, torque and weight. A word whose
+--- meaning begins with "A" or "An" is asked for with an article ("What is a gem?"), any other without ("What is lift?").
+---@param lesson Lesson
+---@param words table
+function know.words(lesson, words)
+  if type(lesson) ~= "table" then mistake("know.words takes the lesson, know.words(L, { \"lever\" }); got " .. shown(lesson)) end
+  if type(words) ~= "table" then mistake("know.words takes a list of words, such as { \"lever\" }; got " .. shown(words)) end
+  local meaning, counted, stuff = {}, {}, {}
+  for key, value in pairs(words) do
+    if type(value) ~= "string" then mistake("know.words takes words and what they mean as texts; got " .. shown(value)) end
+    local own = type(key) == "string"
+    local word = own and key or value
+    if not own and glossary[word] == nil then program.unknown("know.words", glossary, word) end
+    meaning[word] = own and value or glossary[word]
+    table.insert(meaning[word]:match "^An? " and counted or stuff, word)
+  end
+  if next(meaning) == nil then mistake "know.words takes at least one word, such as { \"lever\" }" end
+  table.sort(counted)
+  table.sort(stuff)
+  local asked, nearly = {}, {}
+  asked_words(counted, "meant_word", true, asked, nearly)
+  asked_words(stuff, "meant_stuff", false, asked, nearly)
+  local lists = { meant_word = #counted > 0 and counted or nil, meant_stuff = #stuff > 0 and stuff or nil }
+  local first = counted[1] or stuff[1]
+  lesson:knows "words" {
+    asked = asked, nearly = nearly, lists = lists,
+    examples = { right = { ("What does %s mean?"):format(first) }, form = { ("what means %s"):format(first) } },
+    answer = function(a) return meaning[a.meant_word or a.meant_stuff] end,
+  }
 end
 
 return setmetatable(know, {

@@ -4,7 +4,7 @@
 ---
 ---   L:question "eggs" {
 ---     prompt = "How many eggs are there?",
----     answers = { "there are {number} <plural:egg>", "{number} <plural:egg>" },
+---     answers = { "there are {number} <plural:egg>" },
 ---     lists = { number = numbers.words(0, 20) },
 ---     right = function(a) return numbers.value(a.number) == eggs_there() end,
 ---   }

@@ -143,7 +143,7 @@ local Force = {}
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
 ---@field force_limit? number no force in this lesson is larger; this place and the device may allow less; in newtons, 0.5 to 10
 ---@field free_english? boolean what is said beside a question's answers is checked, and good English for it is shown; default false
----@field tries? integer after so many answers of wrong meaning a question is left, and the lesson goes on; 1 to 20; default 4
+---@field tries? integer after so many answers of wrong meaning a question is left, and the lesson goes on; after six that are not understood it is left as well; 1 to 20; default 4
 ---@field sureness? number what a recogniser of speech hears less surely is asked for again, and neither right nor wrong; ./fulcrum run LESSON --sure N says it for one play; 0 to 1; default 0.4
 ---@field hands? integer how many hands or fingers it can use at once; each has a world:hand { … } of its own, and where fewer are there it is played with those; 1 to 2; default 1
 ---@field feedback? string[] what is done about an error of form, by how often it has been made: the first time the first of these, and so on, from then on the last; "recast" (the right sentence), "prompt" (say it once more), "rule" (and why), "replay" (and feel it again); { "recast", "prompt", "rule" } by default
@@ -182,12 +182,12 @@ function Lesson:question(name) end
 ---@class KnowsOptions
 ---@field asked string[] templates of the questions that ask for it, such as "how heavy is (it|the {thing})"
 ---@field nearly? string[] templates of what learners say for them that is no good English: understood, said back as the first of `asked` with the same {slots}, and answered
----@field lists? table<string, string[]> as a question's; a name means the same in all of them
+---@field lists? table<string, string[]> as a question's; a name means the same in all of them; {material} is by default every material that the program or the lesson has, and some more
 ---@field rules? table<string, string> likewise
 ---@field answer function function(asked, world): the answer as a text, or nil where that is not known; asked has the {slots}, and asked.bodies the bodies that they name; ./fulcrum check and test call it for each way to ask with each word of its lists
 ---@field examples? KnowsExamples questions that are looked at by ./fulcrum check and test, and must come out as said
 
----Declares something that a learner may ask for while no question is open: with the Tab key, or aloud.
+---Declares something that a learner may ask for while no question is open: with the Tab key, or aloud; and where a question's own answers ask ("Now you ask me!"): there it is a right answer.
 ---@param name string what it is about
 ---@return fun(options: KnowsOptions)
 function Lesson:knows(name) end

@@ -13,6 +13,9 @@ put() {
     printf '%b\n' "$2" >"$tree/$1"
 }
 
+# own TEXT: a source whose own that is.
+own() { printf 'namespace fulcrum {\nnamespace {\n%b\n}  // namespace\n}' "$1"; }
+
 good_tree() {
     tree="$scratch/a tree"
     rm -rf -- "$tree"
@@ -26,7 +29,9 @@ good_tree() {
     put dialogue/english/noun.h '#include <tl/expected.hpp>'
     put runtime/scene/gltf/model.h '#include "haptics/base/error.h"\n#include <tiny_gltf.h>'
     put runtime/app/main.cpp '#include "runtime/scene/gltf/model.h"\n#include "dialogue/english/noun.h"'
+    put dialogue/english/noun.cpp "$(own 'constexpr int kMost = 3;\nusing Kind = Noun::Kind;\nint twice(int n) {\n    return n;\n}')"
     put tests/unit/main_test.cpp ''
+    put tests/unit/noun_test.cpp ''
     put tests/checks/untested.txt '# none'
     cp "$checks/../../.clang-format" "$tree"
 }
@@ -52,7 +57,7 @@ spoilt() {
 }
 
 good_tree
-for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers; do
+for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names; do
     passes "$check"
 done
 
@@ -76,6 +81,14 @@ spoilt vendor_headers '<Eigen/Core> belongs' dialogue/english/bad.h '#include <E
 spoilt vendor_headers '<nlohmann/json.hpp> belongs' haptics/loop/bad.h '#include <nlohmann/json.hpp>'
 spoilt vendor_headers 'from no library that the house knows' haptics/loop/bad.h '#include <boost/any.hpp>'
 spoilt same_bits 'use compute_length' haptics/loop/bad.cpp 'const double n = (a - b).stableNorm();'
+spoilt same_bits 'write Vector3::Zero()' haptics/loop/bad.cpp 'const Twist up{{0.0, 1.0, 0.0}, {}};'
+spoilt same_bits 'write Vector3::Zero()' haptics/loop/bad.cpp 'step(Wrench{{}, Vector3(0.0, 1.0, 0.0)});'
+spoilt joined_names 'kMost is called so in dialogue/english/noun.cpp too' dialogue/english/verb.cpp "$(own 'constexpr int kMost = 4;')"
+spoilt joined_names 'Kind is called so' dialogue/english/verb.cpp "$(own 'using Kind = Verb::Kind;')"
+spoilt joined_names 'twice(int) is called so' dialogue/english/verb.cpp "$(own 'double twice(int times) { return 2.0 * times; }')"
+put dialogue/english/verb.cpp "$(own 'using Kind = Noun::Kind;\ndouble twice(double x) { return x; }')"
+passes joined_names
+good_tree
 spoilt unfinished 'later' runtime/app/bad.h '// TO''DO: later'
 spoilt unfinished 'CHECK(rc::check' tests/unit/bad_test.cpp '    rc::che''ck([] {});'
 spoilt unfinished 'bad.lua' scenarios/bad.lua '-- not yet imple''mented'

@@ -166,6 +166,13 @@ code=0
 wait "$hand" 2>/dev/null || code=$?
 expect "stop without a program: the signal" "$code" $((128 + $(kill -l USR1)))
 
+# Where nobody can see what runs.
+sed "s|^processes=.*|processes=$scratch/nothing|" "$tree/stopper" >"$tree/blind" && chmod +x "$tree/blind"
+at=$tree/blind start stop
+expect "stop that sees nothing: no success" "$status" 1
+expect "stop that sees nothing: what to do" "$err" '*switch the arm off.'
+expect "stop that sees nothing: nothing is said to be stopped" "$out" ''
+
 # Tests.
 start test -L unit
 expect "test: all targets" "$called" '*ninja * all'

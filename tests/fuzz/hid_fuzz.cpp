@@ -97,7 +97,7 @@ void push(const HidAbility& ability, Input answers) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Input rest(data, size);
     const Input length = take(rest, 2);
-    const std::size_t n = length.size() == 2 ? length[0] | length[1] << 8U : 0;
+    const std::size_t n = length.size() == 2 ? length[0] + 256U * length[1] : 0;
     HidNode node;
     // Every other one claims to be a SpaceMouse.
     node.vendor = 0x046d;

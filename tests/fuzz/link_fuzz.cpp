@@ -31,7 +31,7 @@ std::vector<std::byte> put_right(std::span<const std::byte> bytes, const Seal& s
                               std::byte{'L'},
                               std::byte{'N'},
                               std::byte{'K'},
-                              std::byte{1},
+                              std::byte{2},
                               std::byte{0},
                               static_cast<std::byte>(kind),
                               std::byte{0}};
@@ -83,7 +83,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 require(std::abs(reading.pose_D.orientation.norm() - 1.0) < 1e-6);
                 require(reading.stamp_s <= pair.now_s);
             }
-            (void)pair.device.write(pair.now_s, {{0.1, 0.0, 0.0}, {}});
+            (void)pair.device.write(pair.now_s, {{0.1, 0.0, 0.0}, Vector3::Zero()});
             require(hand.written_D.force.norm() <= kHardForceCap_N);
             require(hand.written_D.torque.norm() <= kHardTorqueCap_Nm);
         }

@@ -103,3 +103,44 @@ TEST_CASE("answers: a test whose say is too short says so, and where, not to giv
     CHECK_THAT(run.output,
                Catch::Contains(told + ", or give --say a file with one answer a line."));
 }
+
+TEST_CASE(
+    "answers: a test that fails names the answers that were marked wrong, and what nobody knows "
+    "fails it") {
+    const auto tested = [](const std::string& test) {
+        const Sandbox sandbox;
+        sandbox.write("x/lesson.lua", R"(local game = require "game"
+local L = lesson { id = "x", title = "X" }
+L:knows "sky" { asked = { "what colour is the sky" }, answer = function() return "It is blue." end }
+L:question "egg" {
+  prompt = "What is it?", again = "Look.", answers = { "it is <article> {food}" }, lists = { food = { "egg", "apple" } },
+  right = function(a) return a.food == "egg" end,
+}
+function L:start(world)
+  game.play(L, world, function() game.ask "egg" end)
+end
+)" + test + "\nreturn L\n");
+        return sandbox.run("test x --by arm");
+    };
+    const ProgramRun wrong = tested(
+        "L:test { say = { 'it is an apple', 'hm', 'it is an egg' }, expect = { stars = 3 } }");
+    INFO(wrong.output);
+    CHECK(wrong.exit_code == 1);
+    CHECK(wrong.output.find("lesson.lua:11: the answer \"it is an apple\" was marked wrong.") !=
+          std::string::npos);
+    CHECK(wrong.output.find("lesson.lua:11: the answer \"hm\" was not understood.") !=
+          std::string::npos);
+    CHECK(wrong.output.find("\"it is an egg\"") == std::string::npos);
+    const ProgramRun asks = tested(
+        "L:test { say = { '?what colour is the sea', '?what colour is the sky', 'it is an egg' }, "
+        "expect = { finished = true } }");
+    INFO(asks.output);
+    CHECK(asks.exit_code == 1);
+    CHECK(
+        asks.output.find("lesson.lua:11: the test asks \"what colour is the sea\", and the lesson "
+                         "knows nothing that this asks for") != std::string::npos);
+    CHECK(asks.output.find("colour is the sky\", and") == std::string::npos);
+    CHECK(tested("L:test { say = { 'it is an apple', '?what colour is the sky', 'it is an egg' }, "
+                 "expect = { finished = true } }")
+              .exit_code == 0);
+}

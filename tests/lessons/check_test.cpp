@@ -182,6 +182,40 @@ TEST_CASE("check: sentences that the program would say back are looked over as a
 }
 
 TEST_CASE(
+    "check: what is shown, hinted, solved, said about things and answered is looked over as well") {
+    std::string lesson =
+        lesson_with(kGood + kRight, "world:caption(\"The \" .. \"egg are here.\") story.wait(1)");
+    const auto put = [&](const std::string& before, const std::string& text) {
+        const std::size_t at = lesson.find(before);
+        REQUIRE(at != std::string::npos);
+        lesson.insert(at + before.size(), text);
+    };
+    put("local game = require \"game\"", " local story = require \"story\"");
+    put("material = \"rubber\"", ", about = \"It are an egg.\"");
+    put("game.ask \"second\"",
+        "\n    if world.time < 0 then world:caption \"It have a shell.\" end\n"
+        "    game.ask(\"second\", { hint = \"An rock is hard.\", solution = function() return \"It "
+        "feel soft.\" end })");
+    const ProgramRun run = check(lesson +
+                                 "L:knows \"sky\" { asked = { \"what colour is the sky\" },\n"
+                                 "answer = function() return \"It are blue.\" end }\n");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    for (const char* note :
+         {"lesson.lua:12: \"It are an egg.\" is no good English; better is \"It is an egg.\".",
+          "lesson.lua:15: \"The egg are here.\" is no good English; better is \"The egg is "
+          "here.\".",
+          "lesson.lua:18: \"It have a shell.\" is no good English; better is \"It has a shell.\".",
+          "lesson.lua:19: \"An rock is hard.\" is no good English; better is \"A rock is hard.\".",
+          "lesson.lua:19: \"It feel soft.\" is no good English; better is \"It feels soft.\".",
+          "lesson.lua:23: what the lesson knows as \"sky\": \"It are blue.\" is no good English; "
+          "better is \"It is blue.\"."}) {
+        INFO(note);
+        CHECK(run.output.find(note) != std::string::npos);
+    }
+}
+
+TEST_CASE(
     "check: what keeps a lesson from being tested is said once, not for each who would play it") {
     for (const std::string& end :
          {std::string("return L\n"), std::string("return 3\n"), std::string("retrun L\n")}) {

@@ -111,6 +111,23 @@ TEST_CASE("lessons: the one that README shows runs as it stands there") {
 }
 
 TEST_CASE(
+    "lessons: the one with a question that README shows has no mistakes and passes its test") {
+    const std::string readme = bytes_of(FULCRUM_TEST_LESSONS "/../../README.md");
+    const std::size_t question = readme.find("L:question \"heavier\"");
+    REQUIRE(question != std::string::npos);
+    const std::size_t begin = readme.rfind("```lua\n", question) + 7;
+    const std::size_t end = readme.find("```", question);
+    const Sandbox sandbox;
+    sandbox.write("heavier/lesson.lua", readme.substr(begin, end - begin));
+    const ProgramRun check = sandbox.run("check heavier");
+    INFO(check.output);
+    CHECK(check.output == "heavier: no mistakes found.\n");
+    const ProgramRun test = sandbox.run("test heavier");
+    INFO(test.output);
+    CHECK(test.exit_code == 0);
+}
+
+TEST_CASE(
     "explain --analyze: every haptic stage of the plan is called in every round, others are not "
     "there") {
     const Sandbox sandbox;

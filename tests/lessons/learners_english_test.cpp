@@ -1,5 +1,5 @@
-// What pupils of level A2 say to the lessons' own questions (learners_english.txt): each is understood for what it means, and its
-// form is marked.
+// What pupils say to the lessons' own questions (learners_english.txt, learners_answers.txt): each is understood for what it means, and
+// its form is marked.
 #include "dialogue/marking/mark.h"
 #include "tests/lessons/lesson_questions.h"
 
@@ -27,7 +27,8 @@ std::string take_before(std::string& text, const std::string& separator) {
 struct Asked {
     std::map<std::string, Questions> lessons;
     const dialogue::Question* question = nullptr;
-    std::string slot;  // empty: the words are not to be understood
+    std::string slot;     // empty: the words are not to be understood
+    bool denied = false;  // they say that it is not so
     std::string value;
     std::string words;
     dialogue::Mark mark;
@@ -57,6 +58,9 @@ void say(std::string line, Asked& asked) {
     REQUIRE(asked.mark.understood == !asked.slot.empty());
     if (asked.mark.understood) {
         CHECK(asked.mark.slot(asked.slot) == asked.value);
+        const bool denies = asked.mark.claim == dialogue::Claim::excluded ||
+                            asked.mark.claim == dialogue::Claim::contrary;
+        CHECK(denies == asked.denied);
         CHECK(asked.mark.form_right() == (sign != '!'));
     }
 }
@@ -73,27 +77,35 @@ void check_mark(std::string line, const Asked& asked) {
 }  // namespace
 
 TEST_CASE("learners' English: what is said is understood, and its form marked") {
-    std::ifstream file(FULCRUM_TEST_LESSONS "/learners_english.txt");
-    Asked asked;
-    int n_said = 0;
-    for (std::string line; std::getline(file, line);) {
-        const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-        line.erase(0, indent);
-        if (line.empty() || line.front() == '#') {
-            continue;
+    // Whatever is left out of a file, these many were there.
+    const struct {
+        const char* name;
+        int n_said;
+    } files[] = {{"learners_english.txt", 325}, {"learners_answers.txt", 826}};
+    for (const auto& [name, least_said] : files) {
+        std::ifstream file(std::string(FULCRUM_TEST_LESSONS "/") + name);
+        Asked asked;
+        int n_said = 0;
+        for (std::string line; std::getline(file, line);) {
+            const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+            line.erase(0, indent);
+            if (line.empty() || line.front() == '#') {
+                continue;
+            }
+            if (indent >= 4) {
+                check_mark(line, asked);
+            } else if (indent > 0) {
+                say(line, asked);
+                ++n_said;
+            } else if (line == "nothing" || line.find(" = ") != std::string::npos) {
+                asked.denied = line.starts_with("not ");
+                line.erase(0, asked.denied ? 4 : 0);
+                asked.slot = line == "nothing" ? "" : take_before(line, " = ");
+                asked.value = line;
+            } else {
+                ask(line, asked);
+            }
         }
-        if (indent >= 4) {
-            check_mark(line, asked);
-        } else if (indent > 0) {
-            say(line, asked);
-            ++n_said;
-        } else if (line == "nothing" || line.find(" = ") != std::string::npos) {
-            asked.slot = line == "nothing" ? "" : take_before(line, " = ");
-            asked.value = line;
-        } else {
-            ask(line, asked);
-        }
+        CHECK(n_said >= least_said);
     }
-    // Whatever is left out of the file, these many were there.
-    CHECK(n_said >= 325);
 }

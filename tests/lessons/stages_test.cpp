@@ -17,16 +17,16 @@ namespace {
 using Stages = std::set<std::string>;
 
 const Stages kEvery{"take inputs", "read", "estimate", "passivity", "limits", "write",
-                    "publish",     "lua",  "dialogue", "scene",     "mixer"};
+                    "publish",     "lua",  "dialogue", "scene",     "mixer",  "free English"};
 // What is touched with a fingertip.
 const Stages kTouch{"proxy", "forces: coupling", "forces: texture", "touch"};
 
 const std::map<std::string, Stages> kAsked{
     {"gravity", {"forces: weight", "falling bodies", "bucket"}},
     {"textures", {"forces: weight", "falling bodies", "forces: transient", "forces: spring"}},
-    {"solar-system", {"forces: weight", "falling bodies", "turning", "free English"}},
+    {"solar-system", {"forces: weight", "falling bodies", "turning"}},
     {"lever", {"forces: weight", "falling bodies", "turning", "tool"}},
-    {"kite", {"forces: weight", "falling bodies", "forces: line", "flight", "free English"}},
+    {"kite", {"forces: weight", "falling bodies", "forces: line", "flight"}},
     {"stacks", {"rigid bodies", "pushing", "forces: transient"}},
     {"maze-park", {"forces: weight", "falling bodies", "forces: transient", "forces: spring"}},
 };

@@ -20,6 +20,7 @@ using namespace fulcrum;
 namespace {
 
 constexpr double kPressed_m = 0.016;  // deeper than the floor's top, where the ball touches it
+constexpr double kMoved_m = 0.0005;   // at once, while it is pressed
 constexpr double kMost_N = 5.0;
 constexpr double kFades_N = 0.2;  // in a step: four times what the fade takes of the most
 
@@ -30,8 +31,15 @@ std::shared_ptr<const ToolPlan> make_beside(ToolMethod method) {
     return std::make_shared<const ToolPlan>(std::move(plan));
 }
 
-// As far as one plane may rise in a millisecond (contact_planes.h): what a late answer may make of the force.
+// What a late answer may make of the force in a millisecond.
 double find_most_step_N(ToolMethod method) {
+    if (method == ToolMethod::god_object) {
+        // As much of all that may be felt as a new set of contacts changes (god_force.h), and as far as the hand is moved at once.
+        const GodObjectSettings settings = make_god_object_settings(*make_beside(method));
+        return kMost_N * (1.0 - std::exp(-0.001 / settings.fade_s)) +
+               settings.coupling.shift.stiffness_N_per_m * kMoved_m;
+    }
+    // As far as one plane may rise (contact_planes.h).
     const ContactPlanesSettings planes =
         make_implicit_penalty_plan(*make_beside(method)).settings.contacts;
     return planes.stiffness_N_per_m * planes.rise_m_per_s * 0.001;
@@ -132,7 +140,7 @@ struct Live {
     void press() {
         REQUIRE(await([](const HapticState& state) { return state.gate == GatePhase::open; }));
         while (height > 0.02 - kPressed_m) {
-            move_to(height - 0.0005);
+            move_to(height - kMoved_m);
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
         REQUIRE(await([](const HapticState& state) { return state.applied_W.force.y() > 2.0; }));
@@ -150,7 +158,7 @@ struct Live {
     RealtimeThread haptic;
 };
 
-constexpr ToolMethod kMethods[] = {ToolMethod::implicit_penalty};
+constexpr ToolMethod kMethods[] = {ToolMethod::implicit_penalty, ToolMethod::god_object};
 
 }  // namespace
 

@@ -36,6 +36,7 @@ inline Happens stranger(std::uint8_t key, std::uint64_t sender) {
                            LinkPost::to_ns(b.pair.now_s), 0,      0};
             packet.command.wrench_D.force = {-9.0, 0.0, 0.0};
             packet.command.max_force_N = 10.0;
+            packet.command.max_slew_N_per_s = 500.0;
             PacketBytes bytes{};
             const std::size_t size = write_packet(packet, *seal, bytes);
             b.pair.channel.end(0).send(b.pair.now_s, {}, std::span(bytes).first(size));

@@ -76,6 +76,34 @@ inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const Tri
     return false;
 }
 
+/// How often a mesh winds round a place: 1 where it encloses it, 0 outside a closed one; where that is open, as much of a turn as is seen of its back.
+/// By the solid angles of its triangles: A. van Oosterom, J. Strackee 1983, IEEE Trans. Biomedical Engineering 30(2).
+inline double find_winding(const TriangleMesh& mesh, const Vector3& at_B) {
+    double angles = 0.0;
+    for (const TriangleCorners& t : mesh.triangles()) {
+        const auto towards = [&](std::size_t i) -> Vector3 {
+            return mesh.vertices_B()[static_cast<std::size_t>(t[i])] - at_B;
+        };
+        const Vector3 a = towards(0);
+        const Vector3 b = towards(1);
+        const Vector3 c = towards(2);
+        angles += 2.0 * std::atan2(a.dot(b.cross(c)),
+                                   a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                       b.dot(c) * a.norm() + c.dot(a) * b.norm());
+    }
+    return angles / (4.0 * std::numbers::pi);
+}
+
+/// Is one in the other: do surfaces cross, or does one enclose the other, told by a corner? Of meshes in one piece.
+inline bool do_enter(const TriangleMesh& object, const Pose& object_W, const TriangleMesh& tool,
+                     const Pose& tool_W) {
+    constexpr double kEnclosed = 0.75;  // open floors and corners show less of their back
+    const Pose X_OT = object_W.inverse() * tool_W;
+    return do_cross(object, object_W, tool, tool_W) ||
+           find_winding(object, X_OT * tool.vertices_B().front()) > kEnclosed ||
+           find_winding(tool, X_OT.inverse() * object.vertices_B().front()) > kEnclosed;
+}
+
 /// Between surfaces: every triangle against every other, by their features; 0 where they cross.
 inline double find_distance_m(const TriangleMesh& object, const Pose& object_W,
                               const TriangleMesh& tool, const Pose& tool_W) {
@@ -114,7 +142,7 @@ struct GodScene {
     /// Anywhere, where the objects were said to be, or where they wait.
     [[nodiscard]] bool is_inside() const {
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            if (test::do_cross(objects[i], god.object_W(i), tool, god.pose_W())) {
+            if (test::do_enter(objects[i], god.object_W(i), tool, god.pose_W())) {
                 return true;
             }
         }

@@ -61,7 +61,11 @@ struct LinkTrial {
     LinkFaults faults{};
     bool balances_energy = true;
     EnergyBalanceSettings energy{};
-    SimulatedArmSettings arm{.mass_kg = 0.25, .damping_Ns_per_m = 0.2, .human = kFingertip};
+    /// With a desktop arm's encoder.
+    SimulatedArmSettings arm{.mass_kg = 0.25,
+                             .damping_Ns_per_m = 0.2,
+                             .position_resolution_m = 5.5e-5,
+                             .human = kFingertip};
     std::optional<SimulatedWamSettings> wam{};  ///< instead of that arm
     double torque_Nm = 0.0;                     ///< about the wall's normal while it presses
     ArmRounds rounds{};
@@ -69,9 +73,12 @@ struct LinkTrial {
     double limit_N = 10.0;  ///< of lesson, site and program, the least
     double seconds = 8.0;
     double stroke_m = 0.0;  ///< to and fro by this, four times a second, in the last quarter
+    int slow_presses = 0;   ///< instead of all that: so many, kSlowPress_s each, and out again
 };
 
 inline constexpr double kCalm_m = 2.0e-4;
+inline constexpr double kSlowPress_s = 3.0;  ///< at most 10 mm/s for 10 mm
+inline constexpr double kPressesFrom_s = 0.5;
 
 struct LinkCourse {
     double swing_m = 0.0;         ///< in the last quarter
@@ -81,6 +88,7 @@ struct LinkCourse {
     double turn_swing_rad = 0.0;  ///< of the handle about the wall's normal, in the last quarter
     double given_J =
         0.0;  ///< to the hand and not given back, largest of all times since a second into the run
+    double net_J = 0.0;          ///< to the hand, less what it gave, whole run
     double peak_debt_J = 0.0;    ///< at the arm, whole run
     double least_later_J = 0.0;  ///< the least of it after that
     std::uint64_t trips = 0;     ///< of the arm's gate
@@ -130,7 +138,24 @@ class TrialArm {
 
 /// Whether the hand wants to be in: in and out four times, then it stays in.
 [[nodiscard]] inline bool presses_at(double run_s) {
-    return run_s > 0.5 && (run_s > 4.0 || std::fmod(run_s, 0.8) < 0.5);
+    return run_s > kPressesFrom_s && (run_s > 4.0 || std::fmod(run_s, 0.8) < 0.5);
+}
+
+/// How far in the hand wants to be, of press_m.
+[[nodiscard]] inline double find_press(const LinkTrial& trial, double run_s) {
+    if (trial.slow_presses == 0) {
+        return presses_at(run_s) ? 1.0 : 0.0;
+    }
+    const double pressed_s = run_s - kPressesFrom_s;
+    const bool presses = pressed_s > 0.0 && pressed_s < trial.slow_presses * kSlowPress_s;
+    return presses ? 0.5 - 0.5 * std::cos(2.0 * M_PI * pressed_s / kSlowPress_s) : 0.0;
+}
+
+/// Of slow presses: until the hand is out and at rest.
+[[nodiscard]] inline LinkTrial with_slow_presses(LinkTrial trial, int n) {
+    trial.slow_presses = n;
+    trial.seconds = 2.0 * kPressesFrom_s + n * kSlowPress_s;
+    return trial;
 }
 
 [[nodiscard]] inline LinkCourse run_link_trial(const LinkTrial& trial) {
@@ -176,7 +201,7 @@ class TrialArm {
                                     ? trial.stroke_m * std::sin(2.0 * M_PI * 4.0 * run_s)
                                     : 0.0;
         target.publish(
-            {.pose_D = Pose::at({(presses_at(run_s) ? trial.press_m : 0.0) + stroke_m, 0.0, 0.0})});
+            {.pose_D = Pose::at({find_press(trial, run_s) * trial.press_m + stroke_m, 0.0, 0.0})});
         if (plan.lesson_force) {
             command.stamp_s = command.linearised.stamp_s = pair.now_s;
             command.linearised.torque_W.x() = presses_at(run_s) ? trial.torque_Nm : 0.0;
@@ -193,6 +218,7 @@ class TrialArm {
             }
             arm_next_s = arm_clock.next_s();
             const double x = arm.position_m();
+            course.net_J += force_N * (x - x_before);
             if (run_s > 1.0) {
                 given_J = std::max(given_J + force_N * (x - x_before), 0.0);
                 course.given_J = std::max(course.given_J, given_J);

@@ -117,7 +117,7 @@ class PegTrial {
         found.deepest_m = std::min(found.deepest_m, god_.centre_W().z());
         found.most_turn_rad =
             std::max(found.most_turn_rad, compute_log(god_.pose_W().orientation).norm());
-        found.n_crossing += do_cross(block, {}, peg, god_.pose_W()) ? 1 : 0;
+        found.n_crossing += do_enter(block, {}, peg, god_.pose_W()) ? 1 : 0;
         found.n_unsettled += god_.last_step().settled ? 0 : 1;
     }
 

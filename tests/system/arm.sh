@@ -2,25 +2,8 @@
 # arm.sh FULCRUM: the arm link as a person uses it, between two processes over a real socket: a lesson is played with the arm, the
 # program is killed, the arm fades by itself, a stop from outside, another key, an arm that is held, none at all, and a bad line.
 set -euo pipefail
-fulcrum=$1
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config
-unset DISPLAY
-arms=()
-cleanup() {
-    for arm in "${arms[@]}"; do kill "$arm" 2>/dev/null || true; done
-    wait 2>/dev/null || true
-    rm -rf "$home"
-}
-trap cleanup EXIT
-
-fail() {
-    echo "arm.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
-    exit 1
-}
-# shellcheck source=tests/system/arm_port.sh
-source "$(dirname -- "$0")/arm_port.sh"
+# shellcheck source=tests/system/arm_home.sh
+source "$(dirname -- "$0")/arm_home.sh" "$1"
 # expect FILE PATTERN WHY
 expect() { grep -qE "$2" "$1" || fail "$3"; }
 # start_arm NAME OPTIONS…: in the background; its port in $port, its process in $arm.
@@ -125,14 +108,19 @@ sleep 1.1
 expect "$home/locked.log" '[(][1-9][0-9]* of another key' "the arm does not say that somebody knocked with another key"
 port=$good_port
 arm=$good_arm
-# A stop from outside: the arm fades, and a key at it lifts the stop.
-"$fulcrum" stop >"$home/stop.log"
+# A stop from outside: the arm fades, and a key at it lifts the stop. This arm's alone: others may be held on this computer.
+"$fulcrum" stop --only "$arm" >"$home/stop.log"
 expect "$home/stop.log" '^Stopped: [1-9]' "nothing was stopped"
 sleep 1.5
 expect "$home/good.log" 'STOPPED' "the arm does not say that it is stopped"
 echo >"$home/good.keys"
 sleep 1.5
 tail -n 1 "$home/good.log" | grep -q STOPPED && fail "a key at the arm does not lift the stop"
+# One that moves no hand is told as such, and nothing is stopped: nobody may believe that there was nothing to stop.
+code=0
+"$fulcrum" stop --only $$ >"$home/stop_none.log" 2>&1 || code=$?
+[[ $code -eq 1 ]] || fail "a stop of what moves no hand was a success"
+expect "$home/stop_none.log" "^Process $$ moves no hand of yours: nothing was stopped" "nothing says that nothing was stopped"
 # One arm, one program.
 play_beside first --seconds 20
 sleep 1.5

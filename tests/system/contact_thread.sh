@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# contact_thread.sh FULCRUM LEVER PLANETS: both lessons as in a window, on threads, by tools whose contacts another thread finds: it ran, it kept
-# pace, the haptic loop kept its time, and the record says that it was there.
+# contact_thread.sh FULCRUM LEVER PLANETS: both lessons as in a window, on threads, by tools whose contacts another thread finds, or that another thread
+# moves: it ran, it kept pace, the haptic loop kept its time, and the record says that it was there.
 set -euo pipefail
 fulcrum=$1
 home=$(mktemp -d)
@@ -41,8 +41,9 @@ by() {
 # number PATTERN FILE: the one that stands before, or behind, what is looked for.
 number() { sed -nE "s/.*$1.*/\1/p" "$2" | head -n 1; }
 
-method=implicit_penalty
-for lesson in lever planets; do
+# plays LESSON METHOD: live, recorded, and again.
+plays() {
+    local lesson=$1 method=$2 log rounds missed found rate age code
     by "$lesson" "$method"
     log=$home/$lesson-$method.log
     live "$lesson-$method" --seconds 6 --record "$home/$lesson-$method.rec" >"$log" 2>&1 ||
@@ -65,6 +66,11 @@ for lesson in lever planets; do
     code=0
     "$fulcrum" run "$home/$lesson-$method" --headless --hand "replay:$home/$lesson-$method.rec" >"$home/again.log" 2>&1 || code=$?
     ((code == 0)) || expect "$home/again.log" 'contact is in each step and was by a thread' "a repetition does not say why its forces are others"
+}
+for method in implicit_penalty god_object; do
+    for lesson in lever planets; do
+        plays "$lesson" "$method"
+    done
 done
 
 # Points in a field have no such thread.
@@ -73,11 +79,13 @@ expect "$home/none.log" 'Haptic loop: [0-9]+ rounds' "it does not say how it kep
 ! grep -q 'Contact thread' "$home/none.log" || fail "there is a thread with nothing to do"
 
 # What runs, and what it costs.
-"$fulcrum" explain "$home/planets-implicit_penalty" --analyze --seconds 5 >"$home/analyze.log" 2>&1 || fail "it cannot be explained"
-expect "$home/analyze.log" '^contact +finding +2000 Hz' "the thread is not named"
-expect "$home/analyze.log" '^contact +finding +[0-9]{3,} +[0-9.]+ +[0-9.]+' "the thread's time is not told"
-expect "$home/analyze.log" 'age of contact in a step then, 99 % [0-9.]+ ms' "the age of contact is not told"
-for lesson in lever planets; do
-    echo "$lesson: $(grep -h '^Contact thread' "$home/$lesson-implicit_penalty.log")"
+for method in implicit_penalty god_object; do
+    "$fulcrum" explain "$home/planets-$method" --analyze --seconds 5 >"$home/analyze.log" 2>&1 || fail "it cannot be explained"
+    expect "$home/analyze.log" '^contact +(finding|motion) +2000 Hz' "the thread of $method is not named"
+    expect "$home/analyze.log" '^contact +(finding|motion) +[0-9]{3,} +[0-9.]+ +[0-9.]+' "the thread's time is not told by $method"
+    expect "$home/analyze.log" 'age of contact in a step then, 99 % [0-9.]+ ms' "the age of contact is not told by $method"
+    for lesson in lever planets; do
+        echo "$lesson by $method: $(grep -h '^Contact thread' "$home/$lesson-$method.log")"
+    done
 done
 echo "contact_thread.sh: passed"

@@ -8,9 +8,11 @@ export HOME=$home XDG_CONFIG_HOME=$home/config
 unset DISPLAY
 arm=
 second=
+third=
 cleanup() {
     [[ -z $arm ]] || kill "$arm" 2>/dev/null || true
     [[ -z $second ]] || kill "$second" 2>/dev/null || true
+    [[ -z $third ]] || kill "$third" 2>/dev/null || true
     wait 2>/dev/null || true
     rm -rf "$home"
 }
@@ -87,6 +89,26 @@ refuse "$home/both.log" 'no force in this lesson' "a good arm was found bad"
 expect "$home/both.log" 'The second arm reaches 16 by 12 by 7 cm, so it moves' "the second hand's scale was not fitted"
 felt=$(sed -n 's/.*most \([0-9.]*\).*/\1/p' "$home/second.log" | tail -n 1)
 [[ -n $felt ]] && awk "BEGIN { exit !($felt > 0.5) }" || fail "the second arm felt $felt N"
+# Two arms, each with a key of its own.
+mkfifo "$home/third.keys"
+: >"$home/third.log"
+second_port=$port
+"$fulcrum" arm --arm desktop --port 0 --key "$home/third.key" <>"$home/third.keys" >"$home/third.log" 2>&1 &
+third=$!
+await_arm "$home/third.log"
+cmp -s "$home/third.key" "$home/config/fulcrum/arm.key" && fail "two arms have one key"
+play_keys() {
+    "$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --first-use never --say "$home/say.txt" --db "$home/p.db" \
+        --seconds 1 --hand "udp:127.0.0.1:$first_port" "${@:2}" >"$1" 2>&1
+}
+play_keys "$home/keys.log" --hand "udp:127.0.0.1:$port" --key "$home/third.key" || fail "two arms with a key each were not played with"
+play_keys "$home/keys_both.log" --key "$home/config/fulcrum/arm.key" --hand "udp:127.0.0.1:$port" --key "$home/third.key" ||
+    fail "two arms whose keys are both named were not played with"
+! play_keys "$home/keys_wrong.log" --key "$home/third.key" --hand "udp:127.0.0.1:$port" || fail "the second arm's key opened the first"
+expect "$home/keys_wrong.log" 'no arm answers' "nothing says that the first arm does not answer"
+kill "$third" && wait "$third" 2>/dev/null || true
+third=
+port=$second_port
 # Two arms that nobody has tried: a guest's are tried each time, without a window too; none pushes before that with more than 0.8 N.
 guest() {
     "$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --hand "udp:127.0.0.1:$first_port" \

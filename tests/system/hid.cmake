@@ -12,6 +12,11 @@ if(TARGET fulcrum AND TARGET fulcrum_hid_shim)
     set_tests_properties("system: a HID ${kind} plays, is unplugged in the middle and plays on"
                          PROPERTIES LABELS system TIMEOUT 180 SKIP_RETURN_CODE 77 ENVIRONMENT ${environment})
   endforeach()
+  add_test(NAME "system: a joystick's force is tried once for each learner, and one that pushes the wrong way gives none"
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/system/stick_fit.sh $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_hid_shim>
+                   $<TARGET_FILE:fulcrum_virtual_hid>)
+  set_tests_properties("system: a joystick's force is tried once for each learner, and one that pushes the wrong way gives none"
+                       PROPERTIES LABELS system TIMEOUT 180 RUN_SERIAL ON ENVIRONMENT ${environment})
   add_test(NAME "system: devices are listed through udev, with what is missing"
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/devices.sh $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_hid_shim>
                    $<TARGET_FILE:fulcrum_virtual_hid>)

@@ -2,25 +2,8 @@
 # real_time.sh FULCRUM: runs whose loops keep real time are recorded and repeated, every force the same to the bit: of a world, a kite, a lever,
 # rigid bodies, and of an arm in another process. A record that does not tell what the loops were told says so.
 set -euo pipefail
-fulcrum=$1
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config
-unset DISPLAY
-arms=()
-cleanup() {
-    for arm in "${arms[@]}"; do kill "$arm" 2>/dev/null || true; done
-    wait 2>/dev/null || true
-    rm -rf "$home"
-}
-trap cleanup EXIT
-
-fail() {
-    echo "real_time.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
-    exit 1
-}
-# shellcheck source=tests/system/arm_port.sh
-source "$(dirname -- "$0")/arm_port.sh"
+# shellcheck source=tests/system/arm_home.sh
+source "$(dirname -- "$0")/arm_home.sh" "$1"
 # repeat NAME LESSON: the record NAME.rec gives every force again.
 repeat() {
     "$fulcrum" run "$2" --headless --hand "replay:$home/$1.rec" >"$home/$1.again.log" 2>&1 ||

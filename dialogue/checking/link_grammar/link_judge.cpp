@@ -1,6 +1,7 @@
 #include "dialogue/checking/link_grammar/link_judge.h"
 
 #include <clocale>
+#include <cstdio>
 #include <dlfcn.h>
 #include <link-grammar/link-includes.h>
 #include <string>
@@ -11,14 +12,17 @@ namespace {
 
 constexpr const char* kLibrary = "liblink-grammar.so.5";
 constexpr const char* kLanguage = "en";
+constexpr const char* kDictionary = "en/4.0.dict";
+constexpr const char* kNoDictionary =
+    "the English grammar is missing; install the Debian package link-grammar-dictionaries-en";
 constexpr int kMostNulls = 4;       // a sentence that fits worse is not judged
 constexpr int kMostLinkages = 10;   // ways of one sentence that are counted
 constexpr int kLongestParse_s = 1;  // the library's clock counts whole seconds
 
 /// The functions of the library that are used, found when it is opened.
 struct Functions {
+    decltype(&::linkgrammar_open_data_file) open_file = nullptr;
     decltype(&::dictionary_create_lang) create_dictionary = nullptr;
-    decltype(&::dictionary_delete) delete_dictionary = nullptr;
     decltype(&::parse_options_create) create_options = nullptr;
     decltype(&::parse_options_delete) delete_options = nullptr;
     decltype(&::parse_options_set_verbosity) set_verbosity = nullptr;
@@ -44,8 +48,8 @@ bool find_function(void* library, const char* name, Function& function) {
 }
 
 bool find_all(void* library, Functions& use) {
-    return find_function(library, "dictionary_create_lang", use.create_dictionary) &&
-           find_function(library, "dictionary_delete", use.delete_dictionary) &&
+    return find_function(library, "linkgrammar_open_data_file", use.open_file) &&
+           find_function(library, "dictionary_create_lang", use.create_dictionary) &&
            find_function(library, "parse_options_create", use.create_options) &&
            find_function(library, "parse_options_delete", use.delete_options) &&
            find_function(library, "parse_options_set_verbosity", use.set_verbosity) &&
@@ -88,19 +92,25 @@ bool is_plain_text(std::string_view text) {
     return any && n_words <= kMostJudgedWords;
 }
 
+/// The library and its English dictionary, opened once: it takes a fifth of a second, and judges read it only. Neither is closed: what the
+/// library opened itself could not be told to go.
+struct Grammar {
+    Functions use;
+    Dictionary dictionary = nullptr;
+};
+
 class LinkJudge final : public SentenceJudge {
   public:
-    LinkJudge(const Functions& use, Dictionary dictionary)
-        : use_(use), dictionary_(dictionary), options_(use.create_options()) {
+    explicit LinkJudge(const Grammar& grammar)
+        : use_(grammar.use),
+          dictionary_(grammar.dictionary),
+          options_(grammar.use.create_options()) {
         use_.set_verbosity(options_, 0);
         use_.set_spell_guess(options_, 0);
         use_.set_linkage_limit(options_, kMostLinkages);
         use_.set_parse_time(options_, kLongestParse_s);
     }
-    ~LinkJudge() override {
-        use_.delete_options(options_);
-        use_.delete_dictionary(dictionary_);
-    }
+    ~LinkJudge() override { use_.delete_options(options_); }
     LinkJudge(const LinkJudge&) = delete;
     LinkJudge& operator=(const LinkJudge&) = delete;
 
@@ -140,10 +150,8 @@ class LinkJudge final : public SentenceJudge {
     Parse_Options options_;
 };
 
-}  // namespace
-
-Expected<std::unique_ptr<SentenceJudge>> make_link_judge() {
-    // Never closed: what it opened itself could not be told to go.
+// The library, with the dictionary lying there.
+Expected<Functions> find_library() {
     void* library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
     Functions use;
     if (library == nullptr || !find_all(library, use)) {
@@ -151,16 +159,64 @@ Expected<std::unique_ptr<SentenceJudge>> make_link_judge() {
             "the grammar's library is missing; install the Debian package liblink-grammar5");
     }
     use.set_error_handler(ignore, nullptr);
+    std::FILE* dictionary = use.open_file(kDictionary);
+    if (dictionary == nullptr) {
+        return fail(kNoDictionary);
+    }
+    (void)std::fclose(dictionary);
+    return use;
+}
+
+Expected<Grammar> open_dictionary(const Functions& use) {
     // It sets how characters are read for the whole program.
     const std::string locale = std::setlocale(LC_CTYPE, nullptr);
     const Dictionary dictionary = use.create_dictionary(kLanguage);
     std::setlocale(LC_CTYPE, locale.c_str());
     if (dictionary == nullptr) {
-        return fail(
-            "the English grammar is missing; install the Debian package "
-            "link-grammar-dictionaries-en");
+        return fail(kNoDictionary);
     }
-    return std::make_unique<LinkJudge>(use, dictionary);
+    return Grammar{use, dictionary};
+}
+
+const Expected<Functions>& library() {
+    static const Expected<Functions> found = find_library();
+    return found;
+}
+
+const Expected<Grammar>& grammar() {
+    static const Expected<Grammar> opened = library().and_then(open_dictionary);
+    return opened;
+}
+
+// Opens the dictionary for its first sentence. What is there and cannot be opened judges nothing.
+class LateJudge final : public SentenceJudge {
+  public:
+    std::optional<int> misfits(std::string_view sentence) override {
+        if (!judge_ && grammar()) {
+            judge_.emplace(*grammar());
+        }
+        return judge_ ? judge_->misfits(sentence) : std::nullopt;
+    }
+
+  private:
+    std::optional<LinkJudge> judge_;
+};
+
+}  // namespace
+
+Expected<std::unique_ptr<SentenceJudge>> make_link_judge(GrammarOpens when) {
+    if (when == GrammarOpens::for_a_sentence) {
+        const auto& found = library();
+        if (!found) {
+            return tl::unexpected(found.error());
+        }
+        return std::make_unique<LateJudge>();
+    }
+    const auto& opened = grammar();
+    if (!opened) {
+        return tl::unexpected(opened.error());
+    }
+    return std::make_unique<LinkJudge>(*opened);
 }
 
 }  // namespace fulcrum::dialogue

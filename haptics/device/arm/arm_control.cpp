@@ -32,46 +32,55 @@ double ArmControl::compute_share(const JointVector& given, const JointVector& mo
     return share;
 }
 
-JointVector ArmControl::compute_posture_torque(const JointVector& q,
+JointVector ArmControl::compute_posture_torque(const ArmPosture& posture, const JointVector& q,
                                                const JointVector& v) noexcept {
     const double omega = settings_.posture_per_s;
     const JointVector wanted = -omega * (omega * (q - settings_.home_rad) + 2.0 * v);
-    compute_bodies(model_, posture_, HeldMass{}, bodies_);
-    const JointMatrix inertia = compute_joint_inertia(posture_, bodies_, rotors_);
-    const HandleJacobian& jacobian = posture_.jacobian_B;
-    // J M^-1 M a_0 = J a_0: what the wanted acceleration would do to the handle is taken out again.
-    using JacobianTransposed = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMostJoints, 6>;
-    JacobianTransposed response = jacobian.transpose();
+    compute_bodies(model_, posture, HeldMass{}, bodies_);
+    const JointMatrix inertia = compute_joint_inertia(posture, bodies_, rotors_);
+    const HandleJacobian& jacobian = posture.jacobian_B;
+    // J M^-1 J^T by half of M's factor; J M^-1 M a_0 = J a_0: what the wanted acceleration would do to the handle is taken out again.
     JointMatrix factor = inertia;
     factor_cholesky(factor);
-    solve_cholesky(factor, response);
-    Matrix6 mobility = jacobian.lazyProduct(response);
-    mobility.diagonal().array() += kLeastMobility_per_kg;
-    Vector6 felt = jacobian.lazyProduct(wanted);
+    HandleJacobian response = jacobian;
+    solve_lower(factor, response);
+    Matrix6 mobility = kLeastMobility_per_kg * Matrix6::Identity();
+    Vector6 felt = Vector6::Zero();
+    for (int i = 0; i < model_.n; ++i) {
+        mobility += response.col(i).lazyProduct(response.col(i).transpose());
+        felt += jacobian.col(i) * wanted(i);
+    }
     factor_cholesky(mobility);
     solve_cholesky(mobility, felt);
-    JointVector torque = inertia.lazyProduct(wanted);
-    torque -= jacobian.transpose().lazyProduct(felt);
+    JointVector torque = multiply(inertia, wanted);
+    for (int i = 0; i < model_.n; ++i) {
+        torque(i) -= jacobian.col(i).dot(felt);
+    }
     return torque;
 }
 
-ArmCommand ArmControl::step(const JointVector& q, const JointVector& v,
+ArmCommand ArmControl::step(const ArmPosture& posture, const JointVector& q, const JointVector& v,
                             const Wrench& wrench_B) noexcept {
-    compute_posture(model_, q, posture_);
-    const JointVector weight = compute_weight_torque(model_, posture_);
-    const JointVector wrench = posture_.jacobian_B.transpose().lazyProduct(stack(wrench_B));
-    const JointVector posture = compute_posture_torque(q, v);
-    // One after the other, each with the room that those before it leave.
-    ArmCommand command;
-    const JointVector nothing = JointVector::Zero(model_.n);
-    const double weight_share = compute_share(nothing, compute_motor_torque(weight));
-    command.torque_Nm = weight_share * weight;
-    command.wrench_share =
-        compute_share(compute_motor_torque(command.torque_Nm), compute_motor_torque(wrench));
-    command.torque_Nm += command.wrench_share * wrench;
-    command.posture_share =
-        compute_share(compute_motor_torque(command.torque_Nm), compute_motor_torque(posture));
-    command.torque_Nm += command.posture_share * posture;
+    const JointVector weight = compute_weight_torque(model_, posture);
+    const JointVector swing = compute_posture_torque(posture, q, v);
+    const Vector6 wrench = stack(wrench_B);
+    JointVector shown(model_.n);
+    for (int i = 0; i < model_.n; ++i) {
+        shown(i) = posture.jacobian_B.col(i).dot(wrench);
+    }
+    // One after the other, each with the room that those before it leave; at the joints, and at the motors.
+    ArmCommand command{JointVector::Zero(model_.n), 1.0, 1.0};
+    JointVector given = JointVector::Zero(model_.n);
+    const auto give = [&](const JointVector& torque) {
+        const JointVector more = compute_motor_torque(torque);
+        const double share = compute_share(given, more);
+        given += share * more;
+        command.torque_Nm += share * torque;
+        return share;
+    };
+    give(weight);
+    command.wrench_share = give(shown);
+    command.posture_share = give(swing);
     return command;
 }
 

@@ -29,7 +29,8 @@ Vector3 compute_turn(const Pose& handle, const Pose& target) noexcept {
 
 }  // namespace
 
-ArmMotion::ArmMotion(const ArmModel& model) : model_(model), rotors_(compute_rotor_inertia(model)) {
+ArmMotion::ArmMotion(const ArmModel& model)
+    : model_(model), twists_(compute_twists(model)), rotors_(compute_rotor_inertia(model)) {
     const auto zero = [&] { return JointVector(JointVector::Zero(model.n)); };
     push_Nm_ = zero();
     problem_ = {JointMatrix::Zero(model.n, model.n), zero(), zero(), zero(), zero()};
@@ -42,7 +43,10 @@ HeldMass ArmMotion::held() const noexcept {
 // The hand's wrench at the middle of the step were the velocity to stay, and what its springs and dampers add to the matrix.
 void ArmMotion::add_grip(const GripTarget& target, const JointVector& v, double dt_s) noexcept {
     const HandleJacobian& jacobian = posture_.jacobian_B;
-    const Vector6 motion = jacobian.lazyProduct(v);
+    Vector6 motion = Vector6::Zero();
+    for (int i = 0; i < model_.n; ++i) {
+        motion += jacobian.col(i) * v(i);
+    }
     const BoundedSpring push = pull(target.pose_B.position - posture_.handle_B.position,
                                     grip_.push.stiffness_N_per_m, grip_.strongest_N);
     const BoundedSpring turn = pull(-compute_turn(posture_.handle_B, target.pose_B),
@@ -50,14 +54,21 @@ void ArmMotion::add_grip(const GripTarget& target, const JointVector& v, double 
     Vector6 wrench;
     wrench << push.force + grip_.push.damping_Ns_per_m * (target.velocity_B - motion.head<3>()),
         turn.force - grip_.turn_damping_Nms_per_rad * motion.tail<3>();
-    push_Nm_ += jacobian.transpose().lazyProduct(wrench);
     const double linear = 0.5 * dt_s * (grip_.push.damping_Ns_per_m + 0.5 * dt_s * push.stiffness);
     const double turning =
         0.5 * dt_s * (grip_.turn_damping_Nms_per_rad + 0.5 * dt_s * turn.stiffness);
-    const auto rows = jacobian.topRows<3>();
-    const auto turns = jacobian.bottomRows<3>();
-    problem_.inertia += linear * rows.transpose().lazyProduct(rows) +
-                        turning * turns.transpose().lazyProduct(turns);
+    Vector6 weights;
+    weights << linear, linear, linear, turning, turning, turning;
+    for (int i = 0; i < model_.n; ++i) {
+        push_Nm_(i) += jacobian.col(i).dot(wrench);
+        const Vector6 weighted = weights.cwiseProduct(jacobian.col(i));
+        problem_.inertia.coeffRef(i, i) += weighted.dot(jacobian.col(i));
+        for (int j = 0; j < i; ++j) {
+            const double coupled = weighted.dot(jacobian.col(j));
+            problem_.inertia.coeffRef(i, j) += coupled;
+            problem_.inertia.coeffRef(j, i) += coupled;
+        }
+    }
 }
 
 StickSlipCount ArmMotion::step(const JointVector& torque_Nm, const GripTarget& target, double dt_s,
@@ -65,7 +76,7 @@ StickSlipCount ArmMotion::step(const JointVector& torque_Nm, const GripTarget& t
     const JointVector& v = state.speed_rad_per_s;
     // Half a step on: bodies, weight, hand.
     const JointVector halfway = state.angle_rad + 0.5 * dt_s * v;
-    compute_posture(model_, halfway, posture_);
+    compute_posture(model_, twists_, halfway, posture_);
     compute_bodies(model_, posture_, held(), bodies_);
     problem_.inertia = compute_joint_inertia(posture_, bodies_, rotors_);
     push_Nm_ = torque_Nm - compute_weight_torque(model_, posture_);
@@ -80,7 +91,7 @@ StickSlipCount ArmMotion::step(const JointVector& torque_Nm, const GripTarget& t
         problem_.high(i) = std::max((link.high_rad - state.angle_rad(i)) / dt_s, 0.0);
     }
     // Once with the velocity as it is, to know its mean; once with the mean.
-    const JointVector kept = problem_.inertia.lazyProduct(v) + dt_s * push_Nm_;
+    const JointVector kept = multiply(problem_.inertia, v) + dt_s * push_Nm_;
     StickSlipCount count;
     JointVector after = v;
     for (int round = 0; round < 2; ++round) {
@@ -105,7 +116,7 @@ double ArmMotion::compute_energy_J(const ArmState& state) const noexcept {
     compute_bodies(model_, posture, held(), bodies);
     const JointMatrix inertia = compute_joint_inertia(posture, bodies, rotors_);
     const JointVector& v = state.speed_rad_per_s;
-    double energy_J = 0.5 * v.dot(inertia.lazyProduct(v).eval());
+    double energy_J = 0.5 * v.dot(multiply(inertia, v));
     for (int i = 0; i < model_.n; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const Vector3 centre_B =

@@ -4,7 +4,20 @@
 
 namespace fulcrum {
 
+ArmTwists compute_twists(const ArmModel& model) noexcept {
+    ArmTwists twists;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(model.n); ++i) {
+        twists[i] = {std::cos(model.links[i].alpha_rad), std::sin(model.links[i].alpha_rad)};
+    }
+    return twists;
+}
+
 void compute_posture(const ArmModel& model, const JointVector& q, ArmPosture& posture) noexcept {
+    compute_posture(model, compute_twists(model), q, posture);
+}
+
+void compute_posture(const ArmModel& model, const ArmTwists& twists, const JointVector& q,
+                     ArmPosture& posture) noexcept {
     posture.n = model.n;
     posture.turn_B[0].setIdentity();
     posture.origin_B[0].setZero();
@@ -14,8 +27,7 @@ void compute_posture(const ArmModel& model, const JointVector& q, ArmPosture& po
         const double angle = q(i) + link.theta_rad;
         const double c = std::cos(angle);
         const double s = std::sin(angle);
-        const double ca = std::cos(link.alpha_rad);
-        const double sa = std::sin(link.alpha_rad);
+        const auto [ca, sa] = twists[before];
         Matrix3 turn;
         turn << c, -s * ca, s * sa, s, c * ca, -c * sa, 0.0, sa, ca;
         const Matrix3& turn_B = posture.turn_B[before];

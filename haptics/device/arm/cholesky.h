@@ -1,7 +1,7 @@
 // Linear systems of an arm's size with a symmetric, positive definite matrix, without anything that might allocate.
 //
-//   A = L L^T      L lower triangular; x = L^-T L^-1 b
-// Thread: any. Cost: n^3 / 6 multiplications for L, n^2 a column.
+//   A = L L^T      L lower triangular; x = L^-T L^-1 b; B^T A^-1 B = Y^T Y with Y = L^-1 B
+// Thread: any. Cost: n^3 / 6 multiplications for L, n^2 a solution, half of it for L^-1 b.
 // Source: any textbook; G. Golub, C. Van Loan 2013, Matrix computations, algorithm 4.2.1.
 #pragma once
 
@@ -13,36 +13,54 @@ namespace fulcrum {
 /// Puts L into the lower half of `a`, of which that half alone is read.
 template <class Matrix>
 void factor_cholesky(Matrix& a) noexcept {
-    for (Eigen::Index j = 0; j < a.rows(); ++j) {
+    // No index is checked again: a check costs as much as what it guards.
+    const Eigen::Index n = a.rows();
+    for (Eigen::Index j = 0; j < n; ++j) {
+        double pivot = a.coeff(j, j);
         for (Eigen::Index k = 0; k < j; ++k) {
-            a(j, j) -= a(j, k) * a(j, k);
+            pivot -= a.coeff(j, k) * a.coeff(j, k);
         }
-        a(j, j) = std::sqrt(a(j, j));
-        for (Eigen::Index i = j + 1; i < a.rows(); ++i) {
+        pivot = std::sqrt(pivot);
+        a.coeffRef(j, j) = pivot;
+        for (Eigen::Index i = j + 1; i < n; ++i) {
+            double below = a.coeff(i, j);
             for (Eigen::Index k = 0; k < j; ++k) {
-                a(i, j) -= a(i, k) * a(j, k);
+                below -= a.coeff(i, k) * a.coeff(j, k);
             }
-            a(i, j) /= a(j, j);
+            a.coeffRef(i, j) = below / pivot;
         }
     }
 }
 
-/// Replaces each column b by A^-1 b; `l` from factor_cholesky.
-template <class Matrix, class Columns>
-void solve_cholesky(const Matrix& l, Columns& columns) noexcept {
-    for (Eigen::Index c = 0; c < columns.cols(); ++c) {
-        for (Eigen::Index i = 0; i < l.rows(); ++i) {
-            for (Eigen::Index k = 0; k < i; ++k) {
-                columns(i, c) -= l(i, k) * columns(k, c);
-            }
-            columns(i, c) /= l(i, i);
+/// Replaces each row b^T by (L^-1 b)^T; `l` from factor_cholesky, with as many rows as `rows` has columns.
+template <class Matrix, class Rows>
+void solve_lower(const Matrix& l, Rows& rows) noexcept {
+    for (Eigen::Index i = 0; i < l.rows(); ++i) {
+        auto column = rows.col(i);
+        for (Eigen::Index k = 0; k < i; ++k) {
+            column -= l.coeff(i, k) * rows.col(k);
         }
-        for (Eigen::Index i = l.rows() - 1; i >= 0; --i) {
-            for (Eigen::Index k = i + 1; k < l.rows(); ++k) {
-                columns(i, c) -= l(k, i) * columns(k, c);
-            }
-            columns(i, c) /= l(i, i);
+        column /= l.coeff(i, i);
+    }
+}
+
+/// Replaces b by A^-1 b; `l` from factor_cholesky.
+template <class Matrix, class Column>
+void solve_cholesky(const Matrix& l, Column& column) noexcept {
+    const Eigen::Index n = l.rows();
+    for (Eigen::Index i = 0; i < n; ++i) {
+        double value = column.coeff(i);
+        for (Eigen::Index k = 0; k < i; ++k) {
+            value -= l.coeff(i, k) * column.coeff(k);
         }
+        column.coeffRef(i) = value / l.coeff(i, i);
+    }
+    for (Eigen::Index i = n - 1; i >= 0; --i) {
+        double value = column.coeff(i);
+        for (Eigen::Index k = i + 1; k < n; ++k) {
+            value -= l.coeff(k, i) * column.coeff(k);
+        }
+        column.coeffRef(i) = value / l.coeff(i, i);
     }
 }
 

@@ -27,7 +27,7 @@ bool SimulatedWam::read(double now_s, DeviceReading& reading) noexcept {
         now_s_ = now_s;
         started_ = true;
     }
-    reading.pose_D = compute_pose_D(count_angles());
+    reading.pose_D = to_D(counted_);
     reading.stamp_s = now_s;
     reading.buttons = buttons_;
     return true;
@@ -63,15 +63,16 @@ void SimulatedWam::reset() noexcept {
     ArmPosture home;
     compute_posture(settings_.model, state_.angle_rad, home);
     aim_ = {home.handle_B, Vector3::Zero()};
+    count();
 }
 
 Pose SimulatedWam::compute_pose_D() const noexcept {
-    return compute_pose_D(state_.angle_rad);
+    ArmPosture posture;
+    compute_posture(settings_.model, twists_, state_.angle_rad, posture);
+    return to_D(posture);
 }
 
-Pose SimulatedWam::compute_pose_D(const JointVector& q) const noexcept {
-    ArmPosture posture;
-    compute_posture(settings_.model, q, posture);
+Pose SimulatedWam::to_D(const ArmPosture& posture) const noexcept {
     Pose pose_D = pose_DB_ * posture.handle_B;
     pose_D.orientation.normalize();
     return pose_D;
@@ -84,17 +85,18 @@ Twist SimulatedWam::compute_velocity_D() const noexcept {
     return {pose_DB_.orientation * motion_B.head<3>(), pose_DB_.orientation * motion_B.tail<3>()};
 }
 
-// The joints' angles by whole counts of the motors.
-JointVector SimulatedWam::count_angles() const noexcept {
+// The joints' angles by whole counts of the motors, and the posture at these: what is told, and what the arm's own computer goes by.
+void SimulatedWam::count() noexcept {
     const ArmModel& model = settings_.model;
-    JointVector motors = model.transmission.lazyProduct(state_.angle_rad);
+    JointVector motors = multiply(model.transmission, state_.angle_rad);
     for (int k = 0; k < model.n; ++k) {
         const double counts = model.motors[static_cast<std::size_t>(k)].counts_per_turn;
         if (counts > 0.0) {
             motors(k) = std::round(motors(k) * counts / kTwoPi) * kTwoPi / counts;
         }
     }
-    return joint_per_motor_.lazyProduct(motors);
+    counted_rad_ = multiply(joint_per_motor_, motors);
+    compute_posture(model, twists_, counted_rad_, counted_);
 }
 
 // A target that cannot be used leaves the one before it.
@@ -123,8 +125,9 @@ void SimulatedWam::advance(double dt_s) noexcept {
     const Quaternion to_B = pose_DB_.orientation.conjugate();
     const Wrench wrench_B{to_B * wrench_D_.force, to_B * wrench_D_.torque};
     for (int i = 0; i < n; ++i) {
-        command_ = control_.step(count_angles(), state_.speed_rad_per_s, wrench_B);
+        command_ = control_.step(counted_, counted_rad_, state_.speed_rad_per_s, wrench_B);
         motion_.step(command_.torque_Nm, aim_, dt_s / n, state_);
+        count();
     }
 }
 

@@ -60,6 +60,7 @@ SimulatedWam::SimulatedWam(const SimulatedWamSettings& settings, const ArmReach&
                            LatestValue<HandTarget>& target)
     : settings_(settings),
       target_(target),
+      twists_(compute_twists(settings.model)),
       joint_per_motor_(compute_joint_per_motor(settings.model)),
       control_(settings.model, {settings.workspace.home_rad, settings.posture_per_s}),
       motion_(settings.model) {

@@ -107,7 +107,7 @@ JointHold mend_held(const StickSlipProblem& problem, JointHold hold, int i, doub
 bool mend(const StickSlipProblem& problem, const JointVector& w, double rounding,
           JointHolds& holds) noexcept {
     bool holds_good = true;
-    const JointVector r = problem.inertia.lazyProduct(w) - problem.push;
+    const JointVector r = multiply(problem.inertia, w) - problem.push;
     for (int i = 0; i < w.size(); ++i) {
         JointHold& hold = holds[static_cast<std::size_t>(i)];
         const JointHold better = slides(hold) ? mend_sliding(problem, hold, i, w(i))

@@ -43,7 +43,11 @@ bool FittedDevice::read(double now_s, DeviceReading& reading) noexcept {
 }
 
 bool FittedDevice::write(double now_s, const Wrench& wrench_D) noexcept {
-    return device_->write(now_s, gives_force_ ? fit_.axes.turn_back(wrench_D) : Wrench{});
+    if (part_ == 0.0) {
+        return device_->write(now_s, Wrench{});
+    }
+    const Wrench wrench_A = fit_.axes.turn_back(wrench_D);
+    return device_->write(now_s, {part_ * wrench_A.force, part_ * wrench_A.torque});
 }
 
 }  // namespace fulcrum

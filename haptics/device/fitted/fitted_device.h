@@ -10,7 +10,8 @@
 // scale is the workspace's (loop/workspace.h). All that is here is rigid: |f_A| = |f_D| and f_A . v_A = f_D . v_D.
 // Buttons: for a left hand the first two are exchanged; of what comes of that the clutch's is kept and not told on.
 //
-// Limits come behind it: the loop's gate and the arm's own see what is to be given, and no bit of it is larger than before.
+// Limits come behind it: the loop's gate and the arm's own see what is to be given, and no bit of it is larger than before; a part of it is
+// written where that was asked for.
 // Thread: `read` and `write` on the haptic thread. Cost: some 20 ns.
 // Source: J. Dominjon, A. Lecuyer, J.-M. Burkhardt, G. Andrade-Barroso, S. Richir 2005, The "bubble" technique: interacting with large
 // virtual environments using haptic devices with limited workspace, World Haptics: clutching, as what is compared with.
@@ -48,6 +49,9 @@ class FittedDevice final : public Device {
 
     /// The device's own: nothing of it is larger or smaller. Without force once `give_no_force` was called.
     [[nodiscard]] const DeviceTraits& traits() const noexcept override { return traits_; }
+    /// From now on the device is written this part of each wrench, 0 to 1; anything else counts as 0. For one of unknown strength, until it
+    /// was tried. Before a loop steps.
+    void give_part(double part) noexcept;
     /// From now on whatever is written is no force, and there is no way back. Before a loop steps.
     void give_no_force() noexcept;
     /// What is no reading is told on as it came.
@@ -62,7 +66,7 @@ class FittedDevice final : public Device {
     std::uint32_t clutch_bit_;
     std::unique_ptr<Device> device_;
     DeviceTraits traits_;
-    bool gives_force_ = true;
+    double part_ = 1.0;  // of each wrench; 0 once there is to be none
     Vector3 shift_D_{Vector3::Zero()};
     Quaternion turn_{Quaternion::Identity()};
     bool is_clutched_ = false;

@@ -22,8 +22,12 @@ FittedDevice::FittedDevice(const DeviceFit& fit, std::unique_ptr<Device> device)
       device_(std::move(device)),
       traits_(device_->traits()) {}
 
+void FittedDevice::give_part(double part) noexcept {
+    part_ = traits_.renders_force && part >= 0.0 && part <= 1.0 ? part : 0.0;
+}
+
 void FittedDevice::give_no_force() noexcept {
-    gives_force_ = false;
+    part_ = 0.0;
     traits_.renders_force = false;
     traits_.max_force_N = traits_.max_torque_Nm = 0.0;
 }

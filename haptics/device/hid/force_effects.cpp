@@ -152,8 +152,7 @@ bool ForceEffects::set(HidLink& link, double x, double y) {
 bool ForceEffects::set_magnitude(HidLink& link, Effect& effect, double share) {
     const ReportField& field = layout_.magnitude;
     const double held = std::isfinite(share) ? std::clamp(share, -1.0, 1.0) : 0.0;
-    const bool inverts = effect.along_x ? settings_.invert_x : settings_.invert_y;
-    const double wanted = inverts ? held : -held;
+    const double wanted = -held;
     const auto most = static_cast<double>(wanted < 0.0 ? -field.logical_min : field.logical_max);
     const std::int64_t magnitude = std::llround(wanted * most);
     if (effect.magnitude == magnitude) {

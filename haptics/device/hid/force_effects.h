@@ -27,9 +27,7 @@ struct ForceEffectSettings {
     double device_gain = 1.0;  ///< of what the motors have, 0.05 to 1
     double duration_s = 0.2;   ///< how long a force outlives its program, 0.1 to 1
     double load_pause_s =
-        0.005;              ///< between two questions where the device put an effect, 0 to 0.1
-    bool invert_x = false;  ///< for a device whose force comes out the wrong way
-    bool invert_y = false;
+        0.005;  ///< between two questions where the device put an effect, 0 to 0.1
 };
 
 /// Refuses settings outside the ranges named above, NaN included.

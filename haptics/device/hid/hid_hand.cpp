@@ -21,6 +21,10 @@ bool HidHand::read(double now_s, DeviceReading& reading) noexcept {
     if (!sample.is_there || monotonic_s - sample.stamp_s > kHeldUp_s) {
         return false;
     }
+    if (has_force() && sample.repeats_itself &&
+        monotonic_s - sample.reported_s > settings_.stick_silence_s) {
+        return false;
+    }
     if (is_cap_) {
         move_by_cap(sample, monotonic_s, dt_s);
     } else {

@@ -4,6 +4,8 @@
 //   stick        its place is the hand's, over a box (stick.h); a force-feedback joystick renders forces along x and y
 // Both are smoothed and held to a hand's speed, and a hand that feels nothing yields a little, as with a mouse (pointer_device.h). A cap that
 // said it was pushed and has been silent for cap_silence_s counts as let go: a wireless one that is out of reach must not fly on.
+// A stick with motors that repeats itself while it rests, and has been silent for stick_silence_s, gives no pose until it speaks again; one
+// that speaks of changes alone may be silent: what a push must do to it tells whether it lives (device/watched).
 //   stamp   of the read, for poses are carried on to it; a reader thread that is held up for 20 ms counts as a device that has gone
 //   force   F_full shares of what is commanded; refused while the device takes none, or has had an order for kOverdue_s
 //
@@ -29,6 +31,7 @@ struct HidHandSettings {
     PointerSettings stick_pointer{.natural_rad_per_s =
                                       150.0};  ///< of a stick; its box is the stick's reach
     double cap_silence_s = 0.25;               ///< 0.05 to 5
+    double stick_silence_s = 0.25;             ///< 0.15 to 5
     double full_force_N =
         3.0;  ///< of a stick whose motors do all they can; no device tells, 0.1 to 10
     ForceEffectSettings effects{};
@@ -47,7 +50,7 @@ class HidHand final : public Device {
     ~HidHand() override;
 
     [[nodiscard]] const DeviceTraits& traits() const noexcept override { return traits_; }
-    /// False while the device is not plugged in, or nothing has been known of it for 20 ms.
+    /// False while the device is not plugged in, nothing has been known of it for 20 ms, or a stick that pushes has fallen silent.
     [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
     /// False for a wrench that is not finite, which counts as none, and while the device takes no force though it could.
     [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
@@ -55,11 +58,19 @@ class HidHand final : public Device {
     /// What has happened since the last call that people should know; empty when nothing has.
     [[nodiscard]] std::string take_notice() { return port_->take_notice(); }
     [[nodiscard]] HidCounts counts() const noexcept { return port_->counts(); }
+    /// Along which of its axes x and y its motors push.
+    [[nodiscard]] bool pushes_x() const noexcept {
+        return has_force() && port_->ability().force->has_x;
+    }
+    [[nodiscard]] bool pushes_y() const noexcept {
+        return has_force() && port_->ability().force->has_y;
+    }
     /// For people: a SpaceMouse is moved otherwise than a stick.
     [[nodiscard]] HandForm form() const noexcept { return port_->ability().form; }
 
   private:
     HidHand(std::shared_ptr<HidPort> port, const HidHandSettings& settings);
+    [[nodiscard]] bool has_force() const noexcept { return port_->ability().force.has_value(); }
     void move_by_cap(const HidSample& sample, double monotonic_s, double dt_s) noexcept;
 
     std::shared_ptr<HidPort> port_;

@@ -6,6 +6,7 @@ namespace fulcrum::hid {
 
 Expected<void> validate(const HidHandSettings& s) {
     const Range ranges[] = {{"cap_silence_s", s.cap_silence_s, 0.05, 5.0},
+                            {"stick_silence_s", s.stick_silence_s, 0.15, 5.0},
                             {"full_force_N", s.full_force_N, 0.1, 10.0}};
     return check_ranges("the HID hand's", ranges)
         .and_then([&] { return validate(s.rate); })

@@ -16,6 +16,10 @@ constexpr int kMostAtOnce = 64;   // reports that are read without handing one o
 constexpr double kAgain_s = 0.5;  // until a device that refused its effects is asked again
 constexpr double kFade_s = 0.05;  // in which a force that nobody renews goes to zero
 constexpr std::size_t kMostReportBytes = 4096;
+// A device that has said the same so often, with no longer pause, does so while it rests: its silence means something. One that speaks of
+// changes alone says nothing twice.
+constexpr int kRepeats = 50;
+constexpr double kLongestPause_s = 0.1;
 
 // Below the haptic loop, above what draws: both threads sleep nearly always. Who is refused goes on without.
 void ask_for_priority() noexcept {
@@ -34,7 +38,9 @@ bool is_same(const HidNode& a, const HidNode& b) {
 
 HidPort::HidPort(std::shared_ptr<HidBus> bus, const HidNode& node,
                  const ForceEffectSettings& settings)
-    : bus_(std::move(bus)), node_(node), ability_(find_ability(node)), settings_(settings) {}
+    : bus_(std::move(bus)), node_(node), ability_(find_ability(node)), settings_(settings) {
+    said_.reserve(kMostReportBytes);
+}
 
 Expected<std::shared_ptr<HidPort>> HidPort::start(std::shared_ptr<HidBus> bus, const HidNode& node,
                                                   const ForceEffectSettings& settings) {
@@ -175,6 +181,8 @@ void HidPort::read_until_lost(HidLink& link) {
     // Where a cap or a stick was before it went means nothing now.
     newest_ = {};
     newest_.reported_s = monotonic_now_s();
+    repeats_ = 0;
+    said_.clear();
     std::array<std::uint8_t, kMostReportBytes> report{};
     while (!stops()) {
         int n = link.read(report, kReadWait_ms);
@@ -198,9 +206,23 @@ bool HidPort::take_report(std::span<const std::uint8_t> report) noexcept {
                                 : ability_.stick->take_report(report, newest_.stick);
     (was_of_use ? reports_ : garbage_).fetch_add(1, std::memory_order_relaxed);
     if (was_of_use) {
-        newest_.reported_s = monotonic_now_s();
+        note_repeat(report);
     }
     return was_of_use;
+}
+
+void HidPort::note_repeat(std::span<const std::uint8_t> report) noexcept {
+    const double now_s = monotonic_now_s();
+    if (now_s - newest_.reported_s > kLongestPause_s) {
+        repeats_ = 0;
+    }
+    const bool is_same = std::ranges::equal(report, said_);
+    repeats_ = std::min(repeats_ + (is_same ? 1 : 0), kRepeats);
+    if (!is_same) {
+        said_.assign(report.begin(), report.end());
+    }
+    newest_.reported_s = now_s;
+    newest_.repeats_itself = repeats_ == kRepeats;
 }
 
 void HidPort::publish(bool is_there) noexcept {

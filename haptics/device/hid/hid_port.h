@@ -25,7 +25,9 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace fulcrum::hid {
 
@@ -41,8 +43,9 @@ struct HidSample {
     double stamp_s = 0.0;     ///< when it was there for certain, monotonic clock
     double reported_s = 0.0;  ///< when it last reported a state, likewise
     bool is_there = false;
-    CapState cap{};      ///< of a SpaceMouse
-    StickState stick{};  ///< of a stick
+    bool repeats_itself = false;  ///< it says the same again and again while it rests, as most do
+    CapState cap{};               ///< of a SpaceMouse
+    StickState stick{};           ///< of a stick
 };
 
 /// What the haptic loop wants felt.
@@ -97,6 +100,7 @@ class HidPort {
     [[nodiscard]] Expected<std::unique_ptr<HidLink>> open_same(const HidNode& found);
     void read_until_lost(HidLink& link);
     [[nodiscard]] bool take_report(std::span<const std::uint8_t> report) noexcept;
+    void note_repeat(std::span<const std::uint8_t> report) noexcept;
     void publish(bool is_there) noexcept;
 
     void run_writer();
@@ -114,7 +118,9 @@ class HidPort {
     HidAbility ability_;  // likewise; its descriptor outlives the effects
     ForceEffectSettings settings_;
 
-    HidSample newest_{};  // the reader's
+    HidSample newest_{};              // the reader's, as are the next
+    std::vector<std::uint8_t> said_;  // the last report
+    int repeats_ = 0;                 // since the last long pause
     std::atomic<std::uint64_t> reports_{0};
     std::atomic<std::uint64_t> garbage_{0};
     std::atomic<std::uint64_t> losses_{0};

@@ -32,6 +32,9 @@ class StandInDevice final : public Device {
     [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
     [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
 
+    /// The next reading may be of another clock. Before a loop steps.
+    void begin_anew() noexcept { has_pose_ = false; }
+
     /// Whether the pointer moves the hand now.
     [[nodiscard]] bool stands_in() const noexcept {
         return stands_in_.load(std::memory_order_acquire);

@@ -256,12 +256,23 @@ void refer_to_fields(std::string& out, const ApiTable& table, const Owner& owner
     }
 }
 
+/// "(question)", "(hour, [minute])": what may be left out stands in brackets.
+std::string call_form(const Binding& binding) {
+    std::string form;
+    for (const Parameter& parameter : binding.parameters) {
+        const bool is_required = parameter.fallback == kRequired;
+        form += (form.empty() ? "" : ", ") + std::string(is_required ? "" : "[") + parameter.name +
+                (is_required ? "" : "]");
+    }
+    return '(' + form + ')';
+}
+
 void refer_to_function(std::string& out, const Binding& binding, const Owner& owner) {
     const std::string called =
         *owner.name == '\0' ? binding.name : std::string(owner.variable) + ':' + binding.name;
     std::string form = binding.shape == CallShape::named_record ? " \"name\" { … }" : " { … }";
     if (binding.shape == CallShape::positional) {
-        form = binding.parameters.empty() ? "()" : "(…)";
+        form = call_form(binding);
     }
     out += "\n### `" + called + form + "`\n\n" + binding.text + " Called " +
            time_text(binding.time) + ".\n";

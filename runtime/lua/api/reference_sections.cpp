@@ -48,6 +48,30 @@ was left out is nil; to ask for one that none of the question's sentences has is
 |---|---|
 )";
 
+constexpr const char* kFiles = R"(
+## Files of a lesson
+
+A lesson begins with `lesson.lua`. Other Lua files that lie beside it are modules of its own: `require "fruit"` runs `fruit.lua` once and gives
+what that returns. They are taken in while the lesson is loaded, so `require` stands at the top of `lesson.lua` (or of another such file), not in
+a function that runs later; names are made of letters, digits and _, without folder and ending.
+
+```lua
+-- fruit.lua
+local fruit = {}
+fruit.mass = { apple = 0.2, egg = 0.06 }
+function fruit.is_heavier(one, other) return fruit.mass[one] > fruit.mass[other] end
+return fruit
+```
+
+```lua
+-- lesson.lua
+local fruit = require "fruit"      -- your own, beside this file
+local game = require "game"        -- the program's, see below
+```
+
+Pictures, models (`.glb`, `.gltf`) and the simulated hands of `L:test` lie in the same folder.
+)";
+
 constexpr const char* kTemplates = R"(
 ## Templates of answers
 
@@ -57,9 +81,9 @@ degrees, plurals, agreement) are understood and corrected.
 
 | in a template | means |
 |---|---|
-| `[word]` | may be left out |
+| `[word]` | may be left out; a verb's subject may not: "(it\|the egg) needs …", for of "[it] needs …" the program would say "Needs …" back |
 | `[a\|b]` | one of them or none |
-| `(a\|b)` | one of them |
+| `(a\|b)` | one of them, never none |
 | `(a;b)` | both, in any order; at most 4 parts |
 | `{thing}`, `{other}` | the noun of any body of the scene, movable, solid or neither, which becomes `answer.thing` and `answer.other` |
 | `{colour}` | a word of `lists = { colour = { "red", "blue" } }`, which becomes `answer.colour`. An article in an entry tells how the word is used and is no part of the value: "the Sun" becomes "Sun". A capital makes a name, which takes no article: write "apple", not "Apple" |
@@ -69,9 +93,9 @@ degrees, plurals, agreement) are understood and corrected.
 | `<superlative:heavy>` | "heaviest", after a template's own "the" |
 | `<adjective:hard>` | "hard", "very hard"; "hardly", "hardness", "harder" are errors of form |
 | `<adjective:{feel}>`, `<comparative:{feel}>`, `<superlative:{feel}>` | the same of any word of `lists = { feel = { "hard", "smooth" } }`, which becomes `answer.feel`. With `<adjective:{feel}> [and <adjective:{feel:also}>]` the learner may give two, `answer.feel` and `answer.also`; without the brackets two are asked for. A missing "and" is an error of form |
-| `<made_of:{material}>` | "is made of metal", "are made of metal"; the material, a word of `lists.material`, becomes `answer.material`. "made by", "is make of", "makes of", "made of a metal" and a missing "is" are errors of form |
+| `<made_of:{material}>` | "is made of metal", "are made of metal"; the material, a word of `lists.material`, becomes `answer.material`. List the wrong ones that pupils may say as well: what is in no list is not understood, which is not the same as wrong. "made by", "is make of", "makes of", "made of a metal" and a missing "is" are errors of form |
 | `<made_of:metal>` | the same of one material |
-| `<place>` | the template of `rules = { place = "(on|under) the {thing}" }`, for what stands in several sentences |
+| `<place>` | the template of `rules = { place = "(on|under) the {thing}" }`, for what stands in several sentences: `answers = { "(it\|the egg) is <place>", "I see it <place>" }` |
 | `<it>` | it, this, that, they, these, those; a verb after it agrees |
 | `<plural:moon>` | "moons"; after a {number} that is "one", "a" or "an": "moon". "there are {number} <plural:moon>" gives "There is one moon." |
 | `\[` | the character itself |
@@ -86,11 +110,16 @@ A list holds plain words, no template: none of `[ ] ( ) { } < > ; \`. What may b
 spelling of a word ("tyre", "tire") need not be listed. A number ("two"), a place ("far") and what begins with a preposition ("to the left")
 never take an article.
 
+Who is not understood is asked again, then shown how the sentence goes, then what may be said; after six answers that are not understood the
+question is left, as it is after `tries` of wrong meaning, and `answer.over` is true.
+
 What learners say that is no good English at all stands in `nearly`: `nearly = { "how many moons {planet} has" }` is
 understood, is an error of form, and is said back as the first answer that has the same {slots}.
 
 Short answers come by themselves: "The egg." where only `{thing}` is needed; "Metal." and "It is made of metal." where
-`<made_of:{material}>` is; "Hard and smooth." and "It feels hard." where `<adjective:{feel}>` is. What a short answer
+`<made_of:{material}>` is; "Hard and smooth." and "It feels hard." where `<adjective:{feel}>` is; "Three ramps." where `there are {number} <plural:ramp>`
+counts; "Next to the bowl." and "It is next to
+the bowl." where `<place>` or `{place} the {thing}` ends a sentence, "the apple is <place>", in which nothing is to be chosen before it. What a short answer
 leaves out is nil: after "Metal." to `"{thing} <made_of:{material}>"` `answer.thing` is nil, for it is the thing that was asked
 about. "Metal is made of a spaceship." is understood too, and gives `answer.thing == "metal"` and
 `answer.material == "spaceship"`: `right` should compare with them, not index by them.
@@ -136,7 +165,8 @@ constexpr const char* kTests = R"(
 
 `./fulcrum test FOLDER` plays the first `L:test` without a window: the hand is the file `hand`, a Lua file beside the lesson
 (see `motion` below), the answers are `say` in turn, and the lesson must end as `expect` says. A line of `say` that begins with a question mark, "?What is this",
-is asked while no question is open.
+is asked while no question is open; one that asks for nothing that the lesson knows fails the test, and where a test fails, the answers that were
+marked wrong are named.
 
 ```lua
 L:test { hand = "catcher.lua", say = { "the apple is the heaviest" }, expect = { finished = true, stars = 3 } }
@@ -283,7 +313,7 @@ std::vector<EventText> event_texts() {
 }
 
 std::string general_sections() {
-    std::string out = events_section() + kAnswerHead;
+    std::string out = kFiles + events_section() + kAnswerHead;
     for (const FieldText& field : kAnswerFields) {
         out += "| `answer." + std::string(field.name) + "` | " + std::string(field.text) + " |\n";
     }

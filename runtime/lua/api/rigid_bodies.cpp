@@ -115,6 +115,21 @@ JointDescription take_joint(lua_State* lua, const LessonContext& context,
     return joint;
 }
 
+/// The shape that is called so elsewhere; empty for none.
+std::string shape_for(std::string_view model) {
+    for (const std::string_view box : {"block", "cube", "brick", "cuboid"}) {
+        if (model == box) {
+            return std::string(kBoxModel);
+        }
+    }
+    for (const std::string_view ball : {"ball", "orb", "globe", "marble"}) {
+        if (model == ball) {
+            return std::string(kSphereModel);
+        }
+    }
+    return nearest_word(model, {std::string(kBoxModel), std::string(kSphereModel)});
+}
+
 /// The volume of a shape whose size the lesson knows.
 double find_volume_m3(lua_State* lua, const BodyDescription& body) {
     const std::string model = as_simulated(body).model;
@@ -122,8 +137,11 @@ double find_volume_m3(lua_State* lua, const BodyDescription& body) {
         return box_size_m(body).prod();
     }
     if (!is_ball_model(model)) {
-        raise_in_lesson(lua, body.name +
-                                 " has a density, and only a box or a ball has a known volume; "
+        const std::string near = shape_for(model);
+        raise_in_lesson(lua, body.name + " has a density, and no volume is known of model = \"" +
+                                 model + "\", only of \"" + std::string(kBoxModel) + "\" and \"" +
+                                 std::string(kSphereModel) + "\"; " +
+                                 (near.empty() ? "" : "did you mean \"" + near + "\"? If not, ") +
                                  "give it a mass instead");
     }
     return 4.0 / 3.0 * std::numbers::pi * body.radius_m * body.radius_m * body.radius_m;

@@ -202,7 +202,7 @@ int get_tool_turn(lua_State* lua, LessonContext& context, std::int32_t index) {
     return 1;
 }
 
-void add_properties(ApiTable& table) {
+void add_world_properties(ApiTable& table) {
     table.properties.push_back(
         {"world", "time", "number", "seconds", "since the lesson began", &get_time});
     table.properties.push_back({"world", "day", "number", "days",
@@ -326,7 +326,7 @@ void add_action_api(ApiTable& table) {
                                &find_body});
     table.functions.push_back(
         {"world", "tool", kPositional, kLooking, {}, "Tool", "What the hand holds.", &get_tool});
-    add_properties(table);
+    add_world_properties(table);
 }
 
 }  // namespace fulcrum::runtime

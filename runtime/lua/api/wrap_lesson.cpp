@@ -249,7 +249,9 @@ void add_lesson_api(ApiTable& table) {
            "what is said beside a question's answers is checked, and good English for it is "
            "shown"},
           {"tries", integer, "", 1, kMostTries, "4",
-           "after so many answers of wrong meaning a question is left, and the lesson goes on"},
+           "after so many answers of wrong meaning a question is left, and the lesson goes on; "
+           "after "
+           "six that are not understood it is left as well"},
           {"sureness", number, "", 0, 1, "0.4",
            "what a recogniser of speech hears less surely is asked for again, and neither right "
            "nor "
@@ -318,7 +320,8 @@ void add_lesson_api(ApiTable& table) {
            "back "
            "as the first of `asked` with the same {slots}, and answered"},
           {"lists", lists, "", 0, 0, "nil",
-           "as a question's; a name means the same in all of them"},
+           "as a question's; a name means the same in all of them; {material} is by default every "
+           "material that the program or the lesson has, and some more"},
           {"rules", rules, "", 0, 0, "nil", "likewise"},
           {"answer", function, "", 0, 0, kRequired,
            "function(asked, world): the answer as a text, or nil where that is not known; asked "
@@ -330,8 +333,8 @@ void add_lesson_api(ApiTable& table) {
            "", kAskedExamples, std::size(kAskedExamples)}},
          "",
          "Declares something that a learner may ask for while no question is open: with the Tab "
-         "key, "
-         "or aloud.",
+         "key, or aloud; and where a question's own answers ask (\"Now you ask me!\"): there it is "
+         "a right answer.",
          &add_knowledge});
     table.functions.push_back(
         {"lesson",

@@ -214,7 +214,7 @@ double ring_of(const Material& material) {
     return rings ? material.transient.frequency_Hz : 0.0;
 }
 
-void add_properties(ApiTable& table) {
+void add_material_properties(ApiTable& table) {
     const auto add = [&table](const char* property, const char* unit, const char* text,
                               int (*get)(lua_State*, LessonContext&, std::int32_t)) {
         table.properties.push_back({"material", property, "number", unit, text, get});
@@ -282,7 +282,7 @@ void add_material_api(ApiTable& table) {
          "Material",
          "Makes a material for bodies: out of another one, out of numbers, or out of a picture.",
          &make_material});
-    add_properties(table);
+    add_material_properties(table);
 }
 
 }  // namespace fulcrum::runtime

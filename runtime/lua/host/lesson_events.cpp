@@ -41,17 +41,25 @@ void set_bodies(lua_State* lua, const LessonContext& context,
     lua_setfield(lua, -2, "bodies");
 }
 
-/// The slots that the question's sentences may fill: "{thing}" and "{thing:other}" give thing and other.
+/// Adds what stands in a template's braces: "{thing}" and "{thing:other}" give thing and other.
+void add_slots(const std::string& sentence, std::vector<std::string>& slots) {
+    for (std::size_t at = sentence.find('{'); at != std::string::npos;
+         at = sentence.find('{', at + 1)) {
+        const std::string inside = sentence.substr(at + 1, sentence.find('}', at) - at - 1);
+        slots.push_back(inside.substr(inside.find(':') + 1));
+    }
+}
+
+/// The slots that the question's sentences may fill, those in its rules too.
 std::vector<std::string> slots_of(const QuestionDescription& question) {
     std::vector<std::string> slots;
     for (const auto* templates : {&question.answers, &question.nearly}) {
         for (const std::string& sentence : *templates) {
-            for (std::size_t at = sentence.find('{'); at != std::string::npos;
-                 at = sentence.find('{', at + 1)) {
-                const std::string inside = sentence.substr(at + 1, sentence.find('}', at) - at - 1);
-                slots.push_back(inside.substr(inside.find(':') + 1));
-            }
+            add_slots(sentence, slots);
         }
+    }
+    for (const auto& [name, rule] : question.rules) {
+        add_slots(rule, slots);
     }
     return slots;
 }

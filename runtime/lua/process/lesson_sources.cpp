@@ -1,11 +1,13 @@
 #include "runtime/lua/process/lesson_sources.h"
 
+#include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/sandbox/safe_library.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <initializer_list>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -46,6 +48,22 @@ bool read_all(const OpenFile& file, std::string& text) {
     }
     text.resize(std::min(filled, kMaxSourceBytes));
     return true;
+}
+
+/// The modules of `folders`, by name.
+std::vector<std::string> modules_in(std::initializer_list<std::filesystem::path> folders) {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& folder : folders) {
+        std::error_code error;
+        for (auto entry = std::filesystem::directory_iterator(folder, error);
+             !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+            if (entry->path().extension() == ".lua") {
+                names.push_back(entry->path().stem().string());
+            }
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 /// By its mark, or by the zeros that it has between letters.
@@ -151,6 +169,8 @@ ModuleAnswer LessonSources::find_module(const std::string& name) {
         answer.source = source ? std::move(*source) : LuaSource{};
         return answer;
     }
+    const std::string near = nearest_word(name, modules_in({files_.library, files_.folder}));
+    answer.problem += near.empty() ? "" : "; did you mean \"" + near + "\"?";
     return answer;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
@@ -40,8 +41,15 @@ std::string advice_for_nil(std::string_view message) {
     for (const std::string_view kind :
          {"(local '", "(field '", "(upvalue '", "(global '", "(constant '"}) {
         if (const std::string_view name = word_behind(message, kind); !name.empty()) {
-            return name == "?" ? "the table has nothing under the name that is looked for"
-                               : std::string(name) + " has no value here";
+            if (name == "?") {
+                return "the table has nothing under the name that is looked for";
+            }
+            // What an answer leaves out is the usual one: answer.bodies.other.weight.
+            const bool is_read = message.starts_with("attempt to index");
+            const std::string asked = (kind == "(field '" ? "…." : "") + std::string(name);
+            return std::string(name) + " has no value here" +
+                   (is_read ? "; where it may be left out, ask first: if " + asked + " then … end"
+                            : "");
         }
     }
     return {};
@@ -101,7 +109,66 @@ std::string advice_for(std::string_view message) {
                                                                     : std::string{};
 }
 
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
+    text.remove_prefix(begin);
+    return text.substr(0, text.find_last_not_of(" \t\r") + 1);
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(trimmed(text.substr(0, end)));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// L:question "float", L:test, world:body and their like, with nothing behind.
+bool is_call_of_table(std::string_view line) {
+    constexpr std::array<std::string_view, 8> kWithTable = {"body", "test", "lesson", "material",
+                                                            "hand", "kite", "bucket", "joint"};
+    const bool is_named = line.ends_with('"') || line.ends_with('\'');
+    if (is_named) {
+        const std::size_t quote = line.rfind(line.back(), line.size() - 2);
+        line = quote == std::string_view::npos ? "" : trimmed(line.substr(0, quote));
+    }
+    const std::size_t name = line.find_last_of(":. =") + 1;  // 0 where there is none
+    const std::string_view called = line.substr(name);
+    return is_named ? called == "question" || called == "knows"
+                    : (called == "lesson" || (name > 0 && line[name - 1] == ':')) &&
+                          std::ranges::find(kWithTable, called) != kWithTable.end();
+}
+
+/// "prompt = …": a field, or so it is meant.
+bool is_field(std::string_view line) {
+    const std::size_t equals = line.find('=');
+    const std::string_view name =
+        equals == std::string_view::npos ? "" : trimmed(line.substr(0, equals));
+    return !name.empty() && !line.substr(equals).starts_with("==") &&
+           std::ranges::all_of(name, [](char c) {
+               return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+           });
+}
+
 }  // namespace
+
+std::optional<MissingBrace> find_missing_brace(std::string_view text, int line) {
+    const std::vector<std::string_view> lines = lines_of(text);
+    std::string_view below;  // the next line that has anything
+    for (std::size_t i = std::min(static_cast<std::size_t>(std::max(line, 0)), lines.size()); i > 0;
+         --i) {
+        const std::string_view here = lines[i - 1];
+        if (is_call_of_table(here)) {
+            return is_field(below)
+                       ? std::optional(MissingBrace{static_cast<int>(i), std::string(here)})
+                       : std::nullopt;
+        }
+        below = here.empty() ? below : here;
+    }
+    return std::nullopt;
+}
 
 std::string in_plain_words(std::string message) {
     if (message.find("stack overflow") != std::string::npos) {

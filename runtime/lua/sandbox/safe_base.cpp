@@ -7,7 +7,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr std::uint64_t kBytesAnInstruction = 16;
+constexpr std::uint64_t kPreparedBytesAnInstruction = 16;
 constexpr const char* kLoaded = "fulcrum.loaded";
 constexpr std::size_t kMaxPrintedBytes = 500;
 
@@ -19,7 +19,7 @@ int call_charged(lua_State* lua) {
             bytes += lua_rawlen(lua, i);
         }
     }
-    ScriptState::of(lua).charge(lua, 1 + bytes / kBytesAnInstruction);
+    ScriptState::of(lua).charge(lua, 1 + bytes / kPreparedBytesAnInstruction);
     return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
 }
 

@@ -274,6 +274,9 @@ void ScriptState::load_text(lua_State* lua, const LuaSource& source) {
     // Where the compiler itself gave up, it names no place.
     if (message != nullptr && !split_place({message, n}, placed)) {
         lua_pushfstring(lua, "%s:1: %s", source.name.c_str(), message);
+    } else if (const auto brace = find_missing_brace(source.text, placed.line)) {
+        lua_pushfstring(lua, "%s:%d: the { behind %s is missing", source.name.c_str(), brace->line,
+                        clean_text(brace->call, kMaxNameBytes).c_str());
     }
     lua_error(lua);
 }

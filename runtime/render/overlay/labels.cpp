@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -49,7 +50,34 @@ float area_over_others(const Box& box, const std::vector<SceneLabel>& labels,
     return area;
 }
 
-/// Places around a circle, the best first. A force's words stand left of its arrow.
+/// Pixels of the lever arms that a box would hide.
+float hidden_arms(const Box& box, const std::vector<SceneLabel>& labels) {
+    float hidden = 0.0F;
+    for (const SceneLabel& label : labels) {
+        // The part of the way from 0 to 1 that lies within the box.
+        float begin = 0.0F;
+        float end = 1.0F;
+        const std::array<float, 2> low{box.x, box.y};
+        const std::array<float, 2> high{box.right(), box.bottom()};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const float from = label.arm_from[axis];
+            const float way = label.arm_to[axis] - from;
+            if (way == 0.0F) {
+                end = from > low[axis] && from < high[axis] ? end : begin;
+                continue;
+            }
+            const float a = (low[axis] - from) / way;
+            const float b = (high[axis] - from) / way;
+            begin = std::max(begin, std::min(a, b));
+            end = std::min(end, std::max(a, b));
+        }
+        hidden += std::max(end - begin, 0.0F) * std::hypot(label.arm_to[0] - label.arm_from[0],
+                                                           label.arm_to[1] - label.arm_from[1]);
+    }
+    return hidden;
+}
+
+/// Places around a circle, the best first. A force's words stand left of its arrow, or under or over it.
 std::array<Box, 6> candidates(const SceneLabel& label, float width, float height, float away) {
     const float x = label.middle_px[0];
     const float y = label.middle_px[1];
@@ -61,7 +89,13 @@ std::array<Box, 6> candidates(const SceneLabel& label, float width, float height
     const Box lower_right{x + 0.7F * off, y + 0.7F * off, width, height};
     const Box upper_right{x + 0.7F * off, y - 0.7F * off - height, width, height};
     if (label.is_force) {
-        return {left, right, below, above, lower_right, upper_right};
+        const Box& arrow = label.covers;
+        const bool long_one = arrow.width > 0.0F;
+        const Box at_foot{below.x, long_one ? std::max(below.y, arrow.bottom()) : below.y, width,
+                          height};
+        const Box at_head{above.x, long_one ? std::min(above.y, arrow.y - height) : above.y, width,
+                          height};
+        return {left, right, at_foot, at_head, lower_right, upper_right};
     }
     return {right, left, below, above, lower_right, upper_right};
 }
@@ -77,7 +111,7 @@ std::optional<Box> find_room(const SceneLabel& label, const std::vector<SceneLab
         const bool free = std::none_of(taken.begin(), taken.end(),
                                        [&](const Box& other) { return overlap(box, other); });
         const float area = label.is_force
-                               ? 0.0F  // it belongs to the thing that it stands on
+                               ? hidden_arms(box, labels)  // it belongs to what it stands on
                                : area_over_others(box, labels, label, measure.px(2.0F * kAway));
         if (free && area < least && inside(box, measure)) {
             least = area;

@@ -20,7 +20,9 @@ struct SceneLabel {
     bool is_force = false;             ///< gets the sign of an arrow
     ForceLook look = ForceLook::hand;  ///< the colour of that sign
     Box covers{};                      ///< the arrow itself: no label may hide it; empty for things
-    Point2 direction{0, 1};            ///< of that arrow in the picture, unit length
+    Point2 arm_from{};       ///< a torque's lever arm, which labels leave free where they can
+    Point2 arm_to{};         ///< the same point: there is none
+    Point2 direction{0, 1};  ///< of that arrow in the picture, unit length
 };
 
 inline constexpr std::size_t kMostLabels = 64;

@@ -182,4 +182,40 @@ void ObjectPass::draw_ghost(const gl::Mesh& mesh, const Placement& placement, st
     glDepthFunc(GL_LESS);
 }
 
+void ObjectPass::mark_seen(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                           int mark) const {
+    ghost_.use();
+    set_model(ghost_, placement);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, mark, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.0F, -1.0F);  // a little nearer, for it lies there already
+    draw_parts(mesh, level);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
+}
+
+void ObjectPass::draw_hidden(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                             const Colour& colour, int mark) const {
+    ghost_.use();
+    set_model(ghost_, placement);
+    ghost_.set("u_flat", as_vector(colour));
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_NOTEQUAL, mark, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_GREATER);
+    glEnable(GL_BLEND);
+    draw_parts(mesh, level);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
+}
+
 }  // namespace fulcrum::runtime

@@ -54,6 +54,13 @@ class ObjectPass {
     /// A see-through model: one layer, however often it folds over itself.
     void draw_ghost(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
                     const Colour& colour) const;
+    /// Marks the pixels in which a model, drawn before, is seen.
+    void mark_seen(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                   int mark) const;
+    /// What other things hide of a model, seen through them: one layer, nothing where a pixel has
+    /// the mark, which is left in those drawn. After all that can hide it, and `mark_seen` of it.
+    void draw_hidden(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                     const Colour& colour, int mark) const;
 
   private:
     void draw_with(const gl::Program& program, const gl::Mesh& mesh, const Placement& placement,

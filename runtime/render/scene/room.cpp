@@ -14,9 +14,9 @@ namespace fulcrum::runtime {
 
 namespace {
 
-constexpr int kAround = 96;  // corners of the floor's circle
-constexpr std::size_t kNearCorners = 3UL * kAround;
-constexpr std::size_t kFarCorners = 6UL * kAround;
+constexpr int kFloorCorners = 96;  // corners of the floor's circle
+constexpr std::size_t kNearCorners = 3UL * kFloorCorners;
+constexpr std::size_t kFarCorners = 6UL * kFloorCorners;
 constexpr float kFarFloor = 60.0F;   // radius of the floor, in reaches of the light
 constexpr float kRugRadius = 0.62F;  // in reaches
 constexpr int kWallStrips = 64;
@@ -55,19 +55,19 @@ void fill(const gl::VertexArray& array, const gl::Buffer& buffer, const std::vec
 /// A disc of radius 1, then a ring from 1 to kFarFloor.
 std::vector<float> floor_corners() {
     const auto at = [](int i, float radius) {
-        const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kAround;
+        const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kFloorCorners;
         return std::array<float, 2>{radius * std::cos(turn), radius * std::sin(turn)};
     };
     std::vector<float> corners;
     const auto add = [&](const std::array<float, 2>& corner) {
         corners.insert(corners.end(), corner.begin(), corner.end());
     };
-    for (int i = 0; i < kAround; ++i) {
+    for (int i = 0; i < kFloorCorners; ++i) {
         add({0.0F, 0.0F});
         add(at(i, 1.0F));
         add(at(i + 1, 1.0F));
     }
-    for (int i = 0; i < kAround; ++i) {
+    for (int i = 0; i < kFloorCorners; ++i) {
         for (const auto& corner : {at(i, 1.0F), at(i, kFarFloor), at(i + 1, 1.0F), at(i + 1, 1.0F),
                                    at(i, kFarFloor), at(i + 1, kFarFloor)}) {
             add(corner);

@@ -134,9 +134,21 @@ void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& t
         return;
     }
     content.arrows.push_back(*arrow);
+    const std::size_t n_labels = content.labels.size();
     add_force_label(content, camera, torque.force, *arrow);
-    if (const auto arm = arm_for(torque, camera)) {
-        content.arms.push_back(*arm);
+    const auto arm = arm_for(torque, camera);
+    if (!arm) {
+        return;
+    }
+    content.arms.push_back(*arm);
+    const auto from = camera.project(torque.axis_W);
+    const auto to = camera.project(torque.force.at_W);
+    if (content.labels.size() > n_labels && from && to) {
+        SceneLabel& label = content.labels.back();
+        label.arm_from = {static_cast<float>(from->position_px.x()),
+                          static_cast<float>(from->position_px.y())};
+        label.arm_to = {static_cast<float>(to->position_px.x()),
+                        static_cast<float>(to->position_px.y())};
     }
 }
 
@@ -163,7 +175,8 @@ std::optional<SceneContent::Ghost> ghost_of(const ViewBody& tool, bool tool_visi
 void add_more_hands(SceneContent& content, const View& view, const Camera& camera, double floor_m,
                     const FindMesh& find_mesh) {
     for (const ViewHand& hand : view.more_hands) {
-        if (const auto item = item_of(hand.tool, camera, find_mesh)) {
+        if (auto item = item_of(hand.tool, camera, find_mesh)) {
+            item->is_hand = true;
             content.items.push_back(*item);
             add_mark(content, *item, camera, floor_m, true);
             add_label(content, camera, hand.tool, *item);
@@ -183,8 +196,9 @@ void add_body(SceneContent& content, const ViewBody& body, const SceneItem* hand
         add_orbit(content, body);
     } else if (auto item = item_of(body, camera, find_mesh)) {
         item->sunk_m = std::max(floor_m - item->bounds.lowest_m, 0.0);
+        item->is_held = hand != nullptr && lies_in(*item, *hand);
         content.items.push_back(*item);
-        if (body.marked && (hand == nullptr || !lies_in(*item, *hand))) {
+        if (body.marked && !item->is_held) {
             add_mark(content, *item, camera, floor_m, false);
         }
         add_label(content, camera, body, *item);
@@ -196,11 +210,12 @@ void add_body(SceneContent& content, const ViewBody& body, const SceneItem* hand
 SceneContent content_of(const View& view, const Camera& camera, const FindMesh& find_mesh) {
     SceneContent content;
     const double floor_m = std::isfinite(view.ground_height_m) ? view.ground_height_m : 0.0;
-    const auto hand = view.tool_visible ? item_of(view.tool, camera, find_mesh) : std::nullopt;
+    auto hand = view.tool_visible ? item_of(view.tool, camera, find_mesh) : std::nullopt;
     for (std::size_t i = 0; i < std::min(view.bodies.size(), kMostBodies); ++i) {
         add_body(content, view.bodies[i], hand ? &*hand : nullptr, camera, floor_m, find_mesh);
     }
     if (hand) {
+        hand->is_hand = true;
         content.items.push_back(*hand);
         add_mark(content, *hand, camera, floor_m, true);
         add_label(content, camera, view.tool, *hand);

@@ -29,7 +29,9 @@ struct SceneItem {
     std::size_t level = 0;   ///< of detail
     bool near = true;        ///< where the lamp's shadows reach
     bool casts_shadow = true;
-    double sunk_m = 0.0;  ///< how deep its lowest point is below the floor
+    bool is_hand = false;
+    bool is_held = false;  ///< within the hand, as an apple in a bucket
+    double sunk_m = 0.0;   ///< how deep its lowest point is below the floor
 };
 
 /// Everything in one frame's scene.

@@ -18,10 +18,12 @@ constexpr std::array<float, 4> kBallColour{0.55F, 0.55F, 0.58F, 1.0F};
 constexpr float kHighlight_px = 7.0F;  // at 720
 constexpr float kArrowRim_px = 4.0F;   // at 720
 constexpr float kGhostAlpha = 0.75F;
+constexpr float kHiddenAlpha = 0.9F;
 // What the stencil says about a pixel.
 constexpr int kShadowMark = 1;
 constexpr int kHighlightMark = 2;
 constexpr int kArrowMark = 3;
+constexpr int kHandMark = 4;
 constexpr double kIconAngle_deg = 24.0;
 
 std::array<float, 4> linear_of(const Colour& c) {
@@ -167,6 +169,7 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
         room_.draw_marks(frame, content.marks);
     }
     draw_highlights(content, scale);
+    draw_hidden_hands(content);
     if (content.ghost) {
         objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement, content.ghost->level,
                             with_alpha(theme::kGhost, kGhostAlpha * content.ghost_strength));
@@ -183,6 +186,21 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
         draw_arrow(*content.arrow, camera, scale);
     }
     return std::move(content.labels);
+}
+
+// What a hand holds does not hide it: an apple is seen in the bucket, not the bucket through it.
+void ScenePainter::draw_hidden_hands(const SceneContent& content) const {
+    for (const SceneItem& item : content.items) {
+        if (item.is_hand || item.is_held) {
+            objects_.mark_seen(*item.mesh, item.placement, item.level, kHandMark);
+        }
+    }
+    for (const SceneItem& item : content.items) {
+        if (item.is_hand) {
+            objects_.draw_hidden(*item.mesh, item.placement, item.level,
+                                 with_alpha(theme::kHiddenHand, kHiddenAlpha), kHandMark);
+        }
+    }
 }
 
 void ScenePainter::draw_highlights(const SceneContent& content, float scale) const {

@@ -51,6 +51,7 @@ class ScenePainter {
     ScenePainter() = default;
     [[nodiscard]] const gl::Mesh& find(const std::string& model) const;
     void draw_shadows(const SceneContent& content, const Light& light) const;
+    void draw_hidden_hands(const SceneContent& content) const;
     void draw_highlights(const SceneContent& content, float scale) const;
     void draw_arms(const std::vector<Placement>& arms, float scale) const;
     void draw_arrow(const Arrow& arrow, const Camera& camera, float scale) const;

@@ -2,6 +2,7 @@
 // and on learners' text that a person has (--text FILE). And what checking costs.
 #include "dialogue/checking/link_grammar/link_judge.h"
 #include "dialogue/checking/reading.h"
+#include "dialogue/marking/mark.h"
 #include "runtime/lesson/free_english.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/lua/process/lesson_process.h"
@@ -152,11 +153,52 @@ Sheet lesson_sheet(const char* name, const char* title) {
     return sheet;
 }
 
-/// Sentences of the lessons: right ones, those with an error put in, and those with an error that a template labels.
-std::array<Sheet, 2> check_lessons(EnglishChecker& checker, Run& run) {
-    std::array<EnglishScores, 2> scores;  // put in, labelled
+/// "Than the egg is" without its verb, "it is metal" for "it is made of metal": another of the question's right sentences.
+bool is_right_too(const Question& question, const std::string& sentence) {
+    const Mark mark = mark_answer(question, sentence);
+    return mark.understood && mark.form_right();
+}
+
+/// What was counted in the lessons' sentences.
+struct LessonScores {
+    EnglishScores put_in, labelled;
     int right = 0;
     int false_alarms = 0;
+};
+
+/// Sentences of a question: right ones, those with an error put in, and those with an error that a template labels.
+void add_question(EnglishChecker& checker, const Lexicon& lexicon, const Question& question,
+                  const TemplateSentences& made, LessonScores& scores) {
+    for (const std::string& sentence : made.right) {
+        const CheckedText checked = checker.check(sentence);
+        ++scores.right;
+        scores.false_alarms += static_cast<int>(checked.errors.size());
+        if (!checked.errors.empty()) {
+            show("alarm", std::string(errant_code(checked.errors.front().code)), checked);
+        }
+        for (const ErroneousSentence& wrong : spoil(lexicon, sentence)) {
+            if (!is_right_too(question, wrong.text)) {
+                add_sentence("missed", wrong, checker.check(wrong.text), scores.put_in);
+            }
+        }
+    }
+    for (const ErroneousSentence& wrong : made.wrong) {
+        add_sentence("missed, labelled", wrong, checker.check(wrong.text), scores.labelled);
+    }
+}
+
+Sheet make_lesson_sheet(const char* name, const char* title, const std::string& work,
+                        const LessonScores& scores) {
+    Sheet sheet = lesson_sheet(name, title);
+    sheet.work = work + " Alarms in the right sentences: " +
+                 point_of_alarms(scores.false_alarms, scores.right) + ".";
+    add_rows(scores.put_in, sheet);
+    return sheet;
+}
+
+std::array<Sheet, 3> check_lessons(EnglishChecker& checker, Run& run) {
+    LessonScores own;
+    LessonScores followed;
     auto lexicon = Lexicon::open();
     for (const auto& entry : fs::directory_iterator(fs::path(FULCRUM_SOURCE_DIR) / "scenarios")) {
         if (!fs::exists(entry.path() / "lesson.lua")) {
@@ -165,39 +207,35 @@ std::array<Sheet, 2> check_lessons(EnglishChecker& checker, Run& run) {
         const ShippedLesson lesson = shipped(entry.path());
         checker.set_things(lesson.things);
         for (const auto& [id, question] : lesson.questions) {
-            const TemplateSentences made =
-                make_template_sentences(question, run.pick(4000, 400), kSeed);
-            for (const std::string& sentence : made.right) {
-                const CheckedText checked = checker.check(sentence);
-                ++right;
-                false_alarms += static_cast<int>(checked.errors.size());
-                if (!checked.errors.empty()) {
-                    show("alarm", std::string(errant_code(checked.errors.front().code)), checked);
-                }
-                for (const ErroneousSentence& wrong : spoil(*lexicon, sentence)) {
-                    add_sentence("missed", wrong, checker.check(wrong.text), scores[0]);
-                }
-            }
-            for (const ErroneousSentence& wrong : made.wrong) {
-                add_sentence("missed, labelled", wrong, checker.check(wrong.text), scores[1]);
-            }
+            add_question(
+                checker, *lexicon, question,
+                make_template_sentences(question, SentencesOf::author, run.pick(4000, 400), kSeed),
+                own);
+            add_question(
+                checker, *lexicon, question,
+                make_template_sentences(question, SentencesOf::english, run.pick(400, 40), kSeed),
+                followed);
         }
     }
     checker.set_things({});
-    Sheet put_in = lesson_sheet("english-lessons", "Free English: what the lessons teach");
-    put_in.work =
-        "Every way through the lessons' templates, sampled, and every such sentence with "
-        "one error put in, where the checker's own reading of the sentence finds a place for it. "
-        "Alarms in the right sentences: " +
-        point_of_alarms(false_alarms, right) + ".";
     Sheet labelled = lesson_sheet("english-labelled", "Free English: what templates label");
     labelled.work =
         "The same with one error that a template labels, which no reading of the checker chose. "
         "Some of these are good English for "
         "something else (\"It was easy\"), which only the question tells.";
-    add_rows(scores[0], put_in);
-    add_rows(scores[1], labelled);
-    return {std::move(put_in), std::move(labelled)};
+    add_rows(own.labelled, labelled);
+    const std::string spoilt =
+        "each way sampled, and every such sentence with one error put in, where the checker's own "
+        "reading of the sentence finds a place for it and no other right sentence of the template "
+        "comes of it.";
+    return {make_lesson_sheet("english-lessons", "Free English: what the lessons teach",
+                              "The sentences that the lessons' templates make, " + spoilt, own),
+            make_lesson_sheet("english-followed", "Free English: what follows from the lessons",
+                              "What is understood besides, in other words: negations, equality, "
+                              "turned comparisons; " +
+                                  spoilt,
+                              followed),
+            std::move(labelled)};
 }
 
 /// Learners' text from a file.

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <random>
 #include <set>
+#include <utility>
 
 namespace fulcrum::bench {
 namespace {
@@ -129,7 +130,8 @@ std::vector<bool> changed_words(const std::vector<Token>& said,
 
 }  // namespace
 
-TemplateSentences make_template_sentences(const Question& question, int n_walks, unsigned seed) {
+TemplateSentences make_template_sentences(const Question& question, SentencesOf whose, int n_walks,
+                                          unsigned seed) {
     TemplateSentences sentences;
     std::mt19937 random(seed);
     std::set<std::string> seen;
@@ -137,7 +139,9 @@ TemplateSentences make_template_sentences(const Question& question, int n_walks,
     const TemplateSet& set = *question.templates;
     for (std::size_t number = 0; number < set.graphs.size(); ++number) {
         const Graph& graph = set.graphs[number];
-        if (!graph.whole_sentence || graph.nearly || graph.turned_round || graph.short_answer) {
+        const bool is_own = std::cmp_less(number, set.answers);
+        if (is_own != (whose == SentencesOf::author) || !graph.whole_sentence || graph.nearly ||
+            graph.turned_round || graph.short_answer) {
             continue;
         }
         for (int i = 0; i < n_walks; ++i) {

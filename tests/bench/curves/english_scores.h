@@ -7,6 +7,7 @@
 #include "haptics/base/error.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -38,9 +39,13 @@ struct TemplateSentences {
     std::vector<ErroneousSentence> wrong;
 };
 
+/// Of the author's own sentences, or of those that follow from them by English alone (dialogue/template/variants.h).
+enum class SentencesOf : std::uint8_t { author, english };
+
 /// `n_walks` ways through each whole answer; the same seed gives the same sentences, each once.
 [[nodiscard]] TemplateSentences make_template_sentences(const dialogue::Question& question,
-                                                        int n_walks, unsigned seed);
+                                                        SentencesOf whose, int n_walks,
+                                                        unsigned seed);
 
 /// One line of a learners' file.
 struct LearnerLine {

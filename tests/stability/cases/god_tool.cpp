@@ -171,7 +171,7 @@ Finding strike_god_by_sheet() {
 Finding press_god_at(double size, const Vector3& origin) {
     GodObjectSettings settings =
         test::make_god_settings(make_box_inertia(0.05, Vector3::Constant(kGodCube_m * size)));
-    settings.gap_m = std::clamp(kGodGap_m * size, 1.0e-9, 1.0e-3);
+    settings.gap_m = std::clamp(kGodGap_m * size, 1.0e-8, 1.0e-3);
     test::GodScene scene(make_box(Vector3::Constant(kGodCube_m * size)).value(),
                          {make_box(Vector3(0.5, 0.1, 0.5) * size).value()}, settings);
     GodWatch watch(scene, settings.gap_m);

@@ -2,6 +2,7 @@
 //
 //   push X Y Z    a cap is pushed so far, -350 to 350, until it is pushed otherwise
 //   stick X Y     a stick stands there, -512 to 511
+//   yield X Y     a stick gives way by so many of these where its motors do all they can, to the right and away; below 0: against them
 //   unplug, plug, garbage, stall, go_on
 //   felt          answers with the largest force since the last time, parts of the full one: "felt 0.42"
 //   still         answers when no force has been felt for half a second
@@ -33,6 +34,7 @@ class Plug {
                                        "SpaceNavigator")
                        : make_hid_node(path, force_stick_descriptor({}), 0x1234, 0xbeef,
                                        "Force stick")) {
+        is_cap_ = is_cap;
         held_ = is_cap ? cap_report(1, {0, 0, 0}) : stick_report({}, 0, 0, 128, 0);
     }
 
@@ -47,6 +49,17 @@ class Plug {
         const std::lock_guard lock(mutex_);
         held_ = report;
     }
+    void stand(int x, int y) {
+        const std::lock_guard lock(mutex_);
+        x_ = x;
+        y_ = y;
+        held_ = stick_report({}, x, y, 128, 0);
+    }
+    void yield(int right, int away) {
+        const std::lock_guard lock(mutex_);
+        yield_right_ = right;
+        yield_away_ = away;
+    }
     void stall(bool stalls) {
         const std::lock_guard lock(mutex_);
         if (socket_) {
@@ -56,10 +69,15 @@ class Plug {
     // Says again what it holds, as devices do, and looks at its motors.
     void turn() {
         const std::lock_guard lock(mutex_);
+        const ForceStick::Felt felt = stick_->felt();
+        if (yields_right_or_away()) {
+            held_ =
+                stick_report({}, x_ + static_cast<int>(std::lround(yield_right_ * felt.right)),
+                             y_ - static_cast<int>(std::lround(yield_away_ * felt.away)), 128, 0);
+        }
         if (socket_) {
             socket_->report(held_);
         }
-        const ForceStick::Felt felt = stick_->felt();
         const double force = std::hypot(felt.right, felt.away);
         most_ = std::max(most_, force);
         if (force > 0.0) {
@@ -76,11 +94,20 @@ class Plug {
     }
 
   private:
+    [[nodiscard]] bool yields_right_or_away() const {
+        return !is_cap_ && (yield_right_ != 0 || yield_away_ != 0);
+    }
+
     std::mutex mutex_;
     std::shared_ptr<ForceStick> stick_;
     hid::HidNode node_;
     std::unique_ptr<HidSocket> socket_;
     Bytes held_;
+    bool is_cap_ = false;
+    int x_ = 0;
+    int y_ = 0;
+    int yield_right_ = 0;
+    int yield_away_ = 0;
     double most_ = 0.0;
     double felt_s_ = 0.0;
 };
@@ -95,7 +122,9 @@ void obey(Plug& plug, const std::string& line) {
     if (word == "push") {
         plug.hold(cap_report(1, {x, y, z}));
     } else if (word == "stick") {
-        plug.hold(stick_report({}, x, y, 128, 0));
+        plug.stand(x, y);
+    } else if (word == "yield") {
+        plug.yield(x, y);
     } else if (word == "garbage") {
         plug.hold(Bytes(17, 0xA5));
     } else if (word == "unplug" || word == "plug") {

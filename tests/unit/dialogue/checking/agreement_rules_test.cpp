@@ -44,7 +44,9 @@ TEST_CASE("free agreement: forms behind an auxiliary") {
                 {"Does it has a ring?", "R:VERB:FORM => Does it *have* a ring?"},
                 {"It can goes fast.", "R:VERB:FORM => It can *go* fast."},
                 {"It be heavy.", "R:VERB:FORM => It *is* heavy."},
-                {"You are push it.", "R:VERB:FORM => You push it."}});
+                {"You are push it.", "R:VERB:FORM => You push it."},
+                {"It is push it more.", "R:VERB:FORM => It *pushes* it more."},
+                {"I can is push it.", "R:VERB:FORM => I can push it."}});
 }
 
 TEST_CASE("free agreement: good English that looks alike") {
@@ -68,5 +70,30 @@ TEST_CASE("free agreement: good English that looks alike") {
                  "My brother and she go there.",
                  "It is open.",
                  "Three newtons is enough.",
-                 "They are clean."});
+                 "They are clean.",
+                 "It is lift.",
+                 "I think it is drag."});
+}
+
+TEST_CASE("free agreement: two things, many in a place, none of what can't be counted") {
+    check_rows(
+        {{"The egg and the apple is equal.", "R:VERB:SVA => The egg and the apple *are* equal."},
+         {"Metal and wood has no smell.", "R:VERB:SVA => Metal and wood *have* no smell."},
+         {"Both the egg and the apple does not roll.",
+          "R:VERB:SVA => Both the egg and the apple *do* not roll."},
+         {"In the solar system there is twenty eight planets.",
+          "R:VERB:SVA => In the solar system there *are* twenty eight planets."},
+         {"There are no lift.", "R:VERB:SVA => There *is* no lift."},
+         {"There is four.", "R:VERB:SVA => There *are* four."},
+         {"There is two forces on the kite.", "R:VERB:SVA => There *are* two forces on the kite."},
+         {"The force of the weight are small.",
+          "R:VERB:SVA => The force of the weight *is* small."},
+         {"As far away as possible it get easier.",
+          "R:VERB:SVA => As far away as possible it *gets* easier."},
+         {"It is easier the closer you is.", "R:VERB:SVA => It is easier the closer you *are*."},
+         {"It pulls more when it have wind.", "R:VERB:SVA => It pulls more when it *has* wind."}});
+    check_right({"Is the egg and the apple the same?", "The egg fell and the apple is here.",
+                 "It is the egg and the apple is red.", "The egg, and the apple is red.",
+                 "The one behind you is heavy.", "Bigger than you is the Sun.",
+                 "The size of the egg and the apple is the same."});
 }

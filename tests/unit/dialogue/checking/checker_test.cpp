@@ -21,6 +21,20 @@ void require_whole(std::string_view text, const CheckedText& result) {
 
 }  // namespace
 
+TEST_CASE("checker: a word that is missing stands alone where its noun follows, and no verb does") {
+    EnglishChecker checker = words_alone();
+    checker.set_things({"tail"});
+    const auto alone = [&](std::string_view text) {
+        const CheckedText checked = checker.check(text);
+        return !checked.errors.empty() && checked.errors.front().alone;
+    };
+    CHECK(alone("It have wings."));
+    CHECK(alone("It needs tail."));
+    CHECK_FALSE(alone("It needs longer tail."));
+    CHECK_FALSE(alone("It heavy."));
+    CHECK_FALSE(alone("Is very heavy."));
+}
+
 TEST_CASE("checker: several errors of a text, each at its place") {
     CHECK(
         checked("it have two moon. They is more bigger") ==
@@ -33,6 +47,36 @@ TEST_CASE("checker: several errors of a text, each at its place") {
     CHECK(result.errors[0].said == "have");
     CHECK(result.errors[0].right == "has");
     CHECK(result.corrected == "It has a moon.");
+}
+
+TEST_CASE("checker: what one error hides is found when that one is mended") {
+    EnglishChecker checker = words_alone();
+    checker.set_things({"tail", "kite"});
+    const CheckedText result = checker.check("it need more longer tail");
+    CHECK(result.marked == "it *needs* *a* *longer* tail");
+    CHECK(result.settled);
+    REQUIRE(result.errors.size() == 3);
+    CHECK(result.errors[1].begin == 8);
+    CHECK(result.errors[2].said == "more longer");
+    CHECK_FALSE(result.proven);
+}
+
+TEST_CASE("checker: nobody proves what no judge can tell") {
+    EnglishChecker checker = words_alone();
+    CHECK(checker.advise("It have a moon.").errors.size() == 1);
+    CHECK_FALSE(checker.advise("It have a moon.").proven);
+}
+
+TEST_CASE("checker: two that only a judge can tell are found together") {
+    EnglishChecker checker(opened_lexicon(),
+                           std::make_unique<ToldJudge>(std::map<std::string, int, std::less<>>{
+                               {"I saw moon near planet.", 2},
+                               {"I saw a moon near planet.", 1},
+                               {"I saw moon near a planet.", 1},
+                               {"I saw a moon near a planet.", 0}}));
+    const CheckedText result = checker.advise("I saw moon near planet.");
+    CHECK(result.corrected == "I saw a moon near a planet.");
+    CHECK(result.proven);
 }
 
 TEST_CASE("checker: what isn't English, or no text at all, is left as it is") {

@@ -4,7 +4,8 @@ using namespace fulcrum::dialogue;
 
 TEST_CASE("free comparison: degrees that are formed twice or in the wrong way") {
     check_rows(
-        {{"The watermelon is more heavier than the egg.",
+        {{"It is bigger then Mars.", "R:PREP => It is bigger *than* Mars."},
+         {"The watermelon is more heavier than the egg.",
           "R:ADJ:FORM => The watermelon is *heavier* than the egg."},
          {"It is the most heaviest fruit.", "R:ADJ:FORM => It is the *heaviest* fruit."},
          {"The watermelon is the most heavy.", "R:ADJ:FORM => The watermelon is the *heaviest*."},
@@ -20,6 +21,20 @@ TEST_CASE("free comparison: degrees that are formed twice or in the wrong way") 
          {"The egg is beautifuler.", "R:ADJ:FORM => The egg is *more beautiful*."},
          {"It is heavyer.", "R:SPELL => It is *heavier*."},
          {"It is biger.", "R:SPELL => It is *bigger*."}});
+}
+
+TEST_CASE("free comparison: as for than, adverbs made twice, much before a plain adjective") {
+    check_rows(
+        {{"It is heavier as the wood.", "R:PREP => It is heavier *than* the wood."},
+         {"It is stronger as before.", "R:PREP => It is stronger *than* before."},
+         {"It is more heavier as the egg.", "R:ADJ:FORM R:PREP => It is *heavier* *than* the egg."},
+         {"It pulls more hardly.", "R:MORPH => It pulls *harder*."},
+         {"The kite flies more high.", "R:ADJ:FORM => The kite flies *higher*."},
+         {"I must push more hard.", "R:ADJ:FORM => I must push *harder*."},
+         {"The kite is too much heavy.", "R:ADV => The kite is too heavy."}});
+    check_right({"It is heavier as a whole.", "It gets heavier as the day goes on.",
+                 "It is as heavy as the egg.", "It is much too heavy.", "It weighs too much.",
+                 "It needs more hard work.", "There are more high than low places."});
 }
 
 TEST_CASE("free comparison: more with a short adjective, wherever it stands") {
@@ -52,6 +67,30 @@ TEST_CASE("free comparison: than, as and what stands around") {
           "R:ADJ:FORM => The egg is as *heavy* as the apple."},
          {"The egg is the heavier than the apple.", "U:DET => The egg is heavier than the apple."},
          {"The watermelon is heaviest.", "M:DET => The watermelon is *the* heaviest."}});
+}
+
+TEST_CASE("free comparison: than is meant where then compares") {
+    check_rows(
+        {{"It is stronger then before.", "R:PREP => It is stronger *than* before."},
+         {"It is easier then the others.", "R:PREP => It is easier *than* the others."},
+         {"It is bigger then all the other planets.",
+          "R:PREP => It is bigger *than* all the other planets."},
+         {"It is heavier then the egg when it is wet.",
+          "R:PREP => It is heavier *than* the egg when it is wet."},
+         {"It was weaker then in the breeze.", "R:PREP => It was weaker *than* in the breeze."},
+         {"It must be longer then that.", "R:PREP => It must be longer *than* that."},
+         {"Stronger then without the wind.", "R:PREP => Stronger *than* without the wind."},
+         {"The pull got a bit bigger then before.",
+          "R:PREP => The pull got a bit bigger *than* before."},
+         {"An apple falls faster then a watermelon.",
+          "R:PREP => An apple falls faster *than* a watermelon."},
+         {"Lift is bigger then weight now.", "R:PREP => Lift is bigger *than* weight now."},
+         {"It is by far heaviest.", "M:DET => It is by far *the* heaviest."},
+         {"An egg is not heaviest.", "M:DET => An egg is not *the* heaviest."}});
+    check_right({"It gets heavier, then the egg falls.", "It gets heavier then the egg falls.",
+                 "It was bigger then.", "It gets bigger then falls.",
+                 "It was smaller then in many ways it hurt.",
+                 "It is heavier then the others are lighter."});
 }
 
 TEST_CASE("free comparison: good English that looks alike") {

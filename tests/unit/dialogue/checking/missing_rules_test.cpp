@@ -35,6 +35,60 @@ TEST_CASE("free English: a sentence of two names, a place or a question without 
                  "There, not here.", "Mars, the red planet.", "On top of the stone block."});
 }
 
+TEST_CASE(
+    "free English: among several adjectives a verb or its it is missed, with commas or without") {
+    check_rows(
+        {{"It slippery, soft and hard.", "M:VERB => It *is* slippery, soft and hard."},
+         {"It sticky smooth and soft.", "M:VERB => It *is* sticky smooth and soft."},
+         {"Rubber soft and hard and sticky.", "M:VERB => Rubber *is* soft and hard and sticky."},
+         {"Is sticky smooth and soft.", "M:PRON => *It is* sticky smooth and soft."},
+         {"Is slippery, soft and hard.", "M:PRON => *It is* slippery, soft and hard."}});
+    check_right({"Soft, hard and sticky.", "Is it soft and hard?", "Is metal hard and smooth?",
+                 "The smooth and hard rock fell.", "It feels soft and hard."});
+}
+
+TEST_CASE(
+    "free English: a clause behind when, as or since may miss its verb or name its subject twice") {
+    check_rows(
+        {{"It pulls more when the wind stronger.",
+          "M:VERB => It pulls more when the wind *is* stronger."},
+         {"When the wind stronger, it flies.", "M:VERB => When the wind *is* stronger, it flies."},
+         {"It fell since the kite heavier than the lift.",
+          "M:VERB => It fell since the kite *is* heavier than the lift."},
+         {"It pulls more when the wind it is stronger.",
+          "U:PRON => It pulls more when the wind is stronger."},
+         {"As the wind it was stronger.", "U:PRON => As the wind was stronger."},
+         {"The egg and the apple the same.", "M:VERB => The egg and the apple *are* the same."},
+         {"Metal and wood identical.", "M:VERB => Metal and wood *are* identical."},
+         {"It the blue one.", "M:VERB => It *is* the blue one."},
+         {"None heavier.", "M:VERB => None *is* heavier."},
+         {"Lift stronger than drag.", "M:VERB => Lift *is* stronger than drag."},
+         {"It the lift that holds it up.", "M:VERB => It *is* the lift that holds it up."},
+         {"The drag the force that pulls it back.",
+          "M:VERB => The drag *is* the force that pulls it back."},
+         {"When we press far from it it easier.",
+          "M:VERB => When we press far from it it *is* easier."},
+         {"It fell because there more weight.",
+          "M:VERB => It fell because there *is* more weight."},
+         {"Is the weight of the line.", "M:PRON => *It is* the weight of the line."},
+         {"Is made out of glass.", "M:PRON => *It is* made out of glass."}});
+    check_right({"A bit bigger than without the wind.", "The planets orbit the Sun.",
+                 "It is lift in the line.", "A lot weaker.", "It is as heavy as the heavier one.",
+                 "It is easier when the arm is longer.",
+                 "It pulls more when the wind gets stronger.",
+                 "The egg and the apple are the same.", "It moves as the hand it follows.",
+                 "The longer the arm, the easier it is."});
+}
+
+TEST_CASE("free English: there is, behind because") {
+    check_rows(
+        {{"It fell because no wind.", "M:VERB => It fell because *there is* no wind."},
+         {"It fell because not wind.", "M:VERB => It fell because *there is no* wind."},
+         {"It pulls because is more wind.", "M:PRON => It pulls because *there* is more wind."}});
+    check_right({"It fell, but not hard.", "It is late, but no worries.",
+                 "It fell because nobody held it.", "It is good because no wind blows."});
+}
+
 TEST_CASE("free English: is with nothing but a name behind it wants its it") {
     check_rows(
         {{"Is the lift.", "M:PRON => *It is* the lift."}, {"Is wood.", "M:PRON => *It is* wood."}});

@@ -11,6 +11,24 @@ TEST_CASE("free order: adjectives before their nouns, verbs before the subject o
                 {"How many moons Jupiter has?", "R:WO => How many moons *does Jupiter have*?"}});
 }
 
+TEST_CASE("free order: a verb at the end, or behind what is compared") {
+    check_rows(
+        {{"It the apple is.", "R:WO => It *is the apple*."},
+         {"The egg is of metal made.", "R:WO => The egg is *made of metal*."},
+         {"The bowl heavier is than the egg.", "R:WO => The bowl *is heavier* than the egg."},
+         {"The bowl the heaviest is.", "R:WO => The bowl *is the heaviest*."}});
+    check_right({"It is the apple.", "I know what it is.", "This the teacher is sure of.",
+                 "The heavier is the egg.", "The best is yet to come.", "It is of metal.",
+                 "The bowl is heavier than the egg is."});
+}
+
+TEST_CASE("free order: what is pointed out by it is goes on with that") {
+    check_rows({{"It's lift what holds up.", "R:PRON => It's lift *that* holds up."},
+                {"It is the lift what pulls it.", "R:PRON => It is the lift *that* pulls it."}});
+    check_right({"It is what it is.", "It is lift that holds it up.", "It is clear what it does.",
+                 "It is the lift."});
+}
+
 TEST_CASE("free order: an adverb or a noun where the adjective belongs") {
     check_rows({{"The rock feels hardly.", "R:MORPH => The rock feels *hard*."},
                 {"The metal is hardness.", "R:MORPH => The metal is *hard*."},

@@ -4,7 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 using namespace fulcrum::dialogue;
 
@@ -28,6 +30,7 @@ CheckedText check_have(std::string_view text) {
         checked.errors.push_back({ErrorCode::agreement, at, at + 4, "have", "has"});
         checked.corrected.replace(at, 4, "has");
         checked.marked.replace(at, 4, "*has*");
+        checked.proven = true;
     }
     return checked;
 }
@@ -65,4 +68,166 @@ TEST_CASE(
           "Yes. A watermelon is *the heaviest*.");
     talk.set_form_check({});
     CHECK(answer_once(talk, heaviest(), "it have a ring").text == unchecked.text);
+}
+
+TEST_CASE(
+    "conversation: a sentence that isn't proven is not said; of one error it is told what belongs "
+    "there") {
+    const struct {
+        FreeError error;
+        const char *text, *key;
+    } rows[] = {
+        {{ErrorCode::agreement, 3, 7, "have", "has"},
+         "Here we say *has*, not have. ",
+         "feedback.free_words"},
+        {{ErrorCode::missing_determiner, 12, 12, "", "a "},
+         "Before ring we say *a*. ",
+         "feedback.free_missing"},
+        {{ErrorCode::extra_pronoun, 3, 8, "have ", ""},
+         "Here we do not say have. ",
+         "feedback.free_extra"},
+        {{ErrorCode::agreement, 2, 4, "'s", " are"}, "", "feedback.not_understood.1"},
+        // Of these only all of the sentence could tell.
+        {{ErrorCode::missing_verb, 3, 3, "", "is ", false}, "", "feedback.not_understood.1"},
+        {{ErrorCode::extra_determiner, 8, 12, "own ", ""},
+         "Here we say *ring*, not own ring. ",
+         "feedback.free_words"},
+    };
+    for (const auto& row : rows) {
+        Conversation talk(catalogue_words());
+        talk.set_form_check([&](std::string_view) {
+            CheckedText checked;
+            checked.errors = {row.error};
+            checked.corrected = checked.marked = "It are has ring";
+            return checked;
+        });
+        const Feedback feedback = answer_once(talk, heaviest(), "it have own ring");
+        CHECK(feedback.text ==
+              row.text + std::string("I did not understand. Please say it again."));
+        CHECK(feedback.keys.back() == row.key);
+        CHECK(feedback.free_errors.size() == 1);
+    }
+}
+
+TEST_CASE("conversation: a reason behind an answer is read; what is wrong in it is said back") {
+    Conversation talk(catalogue_words());
+    talk.set_form_check(check_have);
+    const Feedback wrong =
+        answer_once(talk, heaviest(), "a watermelon is the heaviest because it have water");
+    CHECK(wrong.kind == FeedbackKind::recast);
+    CHECK(wrong.text == "Yes. A watermelon is the heaviest because it *has* water.");
+    REQUIRE(wrong.free_errors.size() == 1);
+    CHECK(wrong.free_errors[0].begin == 40);  // of all that was said
+    CHECK_FALSE(wrong.ask_again);
+    // Both are said back together.
+    CHECK(answer_once(talk, heaviest(), "watermelon is most heavy because it have water").text ==
+          "Yes. A watermelon is *the heaviest* because it *has* water.");
+}
+
+TEST_CASE("conversation: nothing is praised of a reason that nobody understands") {
+    for (const bool read : {true, false}) {
+        Conversation talk(catalogue_words());
+        if (read) {
+            talk.set_form_check([](std::string_view text) {
+                return CheckedText{{}, std::string(text), std::string(text)};
+            });
+        }
+        const Feedback feedback =
+            answer_once(talk, heaviest(), "a watermelon is the heaviest because big it has water");
+        CHECK(feedback.kind == FeedbackKind::praise);
+        CHECK(feedback.text == "Yes! A watermelon is the heaviest.");
+    }
+    // One error of it that is sure is told.
+    Conversation talk(catalogue_words());
+    talk.set_form_check([](std::string_view text) {
+        CheckedText checked = check_have(text);
+        checked.proven = false;
+        return checked;
+    });
+    CHECK(answer_once(talk, heaviest(), "a watermelon is the heaviest because big it have").text ==
+          "Yes! A watermelon is the heaviest. Here we say *has*, not have.");
+}
+
+TEST_CASE("conversation: a reason that is good English is praised with its answer") {
+    Conversation talk(catalogue_words());
+    talk.set_form_check([](std::string_view text) {
+        CheckedText checked{{}, std::string(text), std::string(text)};
+        checked.proven = true;
+        return checked;
+    });
+    CHECK(answer_once(talk, heaviest(), "a watermelon is the heaviest because it is big").text ==
+          catalogue_words().say("feedback.praise.1"));
+    // So is a consequence.
+    CHECK(answer_once(talk, heaviest(), "a watermelon is the heaviest so it falls").text ==
+          catalogue_words().say("feedback.praise.2"));
+}
+
+namespace {
+
+/// Puts "goed" right, and "nearerer" without a proof.
+CheckedText check_goed(std::string_view text) {
+    CheckedText checked;
+    checked.corrected = checked.marked = std::string(text);
+    for (const auto& [said, right] : {std::pair{"goed", "went"}, std::pair{"upper", "down"}}) {
+        const std::size_t at = text.find(said);
+        if (at != std::string_view::npos) {
+            const std::size_t size = std::string_view(said).size();
+            checked.errors.push_back({ErrorCode::verb_inflection, at, at + size, said, right});
+            checked.corrected.replace(at, size, right);
+            checked.marked.replace(at, size, std::string("*") + right + "*");
+            checked.proven = std::string_view(said) == "goed";
+            break;
+        }
+    }
+    return checked;
+}
+
+Question where_it_went() {
+    return compiled(
+        {"went", "Where did it go?", {"(the stone|it) went {where}"}, {{"where", {"down", "up"}}}});
+}
+
+}  // namespace
+
+TEST_CASE(
+    "conversation: where the good English for it is an answer, that was meant, with an error") {
+    Conversation talk(catalogue_words());
+    talk.set_form_check(check_goed);
+    const Question question = where_it_went();
+    talk.ask(question);
+    const Mark mark = talk.hear("the stone goed down");
+    REQUIRE(mark.understood);
+    CHECK(mark.said == "the stone goed down");
+    CHECK(mark.slot("where") == "down");
+    CHECK(mark.corrected == "The stone went down.");
+    CHECK(mark.emphasised == "The stone *went* down.");
+    CHECK(mark.gapped == "The stone … down.");
+    REQUIRE(mark.form_errors.size() == 1);
+    CHECK(mark.form_errors[0].errant() == "R:VERB:INFL");
+    CHECK(mark.form_errors[0].begin == 10);
+    CHECK(mark.form_errors[0].end == 14);
+    const Feedback feedback = talk.respond(mark, true);
+    CHECK(feedback.kind == FeedbackKind::recast);
+    CHECK(feedback.text == "Yes. The stone *went* down.");
+    CHECK_FALSE(feedback.ask_again);
+    // It is the lesson that says whether its meaning is right.
+    talk.ask(question);
+    CHECK(talk.respond(talk.hear("the stone goed up"), false).kind == FeedbackKind::wrong_meaning);
+}
+
+TEST_CASE("conversation: what is not proven, or is no answer even then, is not understood") {
+    Conversation talk(catalogue_words());
+    const Question question = where_it_went();
+    talk.ask(question);
+    CHECK_FALSE(talk.hear("the stone goed down").understood);  // nobody checks
+    talk.set_form_check(check_goed);
+    for (const char* said : {"the stone went upper", "the bird goed down", "it went away"}) {
+        INFO(said);
+        talk.ask(question);
+        CHECK_FALSE(talk.hear(said).understood);
+    }
+    talk.ask(question);
+    CHECK_FALSE(talk.hear("the stone goed down", 0.1).understood);  // nor was it heard
+    talk.ask(question);
+    CHECK_FALSE(talk.hear("the stone goed down", 1.0, false).understood);
 }

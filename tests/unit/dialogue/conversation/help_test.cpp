@@ -42,6 +42,13 @@ TEST_CASE("help: where the answers are different sentences, all that they say is
         CHECK(help.kind == Help::Kind::choices);
         CHECK(help.choices == Words{"far", "near"});
     }
+    const Question at_the_end = compiled(
+        {"easier",
+         "Where is it easier?",
+         {"it is <comparative:easy> {far} from it", "it is <comparative:easy> at the {tip}",
+          "the <comparative:{how}> the <comparative:easy>"},
+         {{"far", {"far"}}, {"tip", {"end"}}, {"how", {"near", "long"}}}});
+    CHECK(help_for(at_the_end, 2).choices == Words{"far", "at the end"});
     const Question together =
         compiled({"fall",
                   "Which one is faster?",
@@ -82,5 +89,37 @@ TEST_CASE("conversation: whoever wants help is not told which of two answers is 
         const Feedback feedback = talk.respond(talk.hear("help"), false);
         CHECK(feedback.kind == FeedbackKind::not_understood);
         CHECK(feedback.text == "You can say: far or near.");
+    }
+}
+
+TEST_CASE(
+    "conversation: the opposite is named to who was asked for a thing, not for a reason or a "
+    "place") {
+    const Catalogue catalogue = english_words();
+    const NamedLists lists{{"thing", {"wooden block", "metal block"}},
+                           {"other", {"water", "metal"}}};
+    const struct {
+        const char *prompt, *answer, *said;
+        bool is_named;
+    } rows[] = {
+        {"Look. Which block is lighter?", "[the] {thing} is <comparative:light>",
+         "the metal block is heavier", true},
+        {"A wooden block and a metal one: what is lighter?", "[the] {thing} is <comparative:light>",
+         "the metal block is heavier", true},
+        {"Why does the wooden block float?", "because it is <comparative:light> than [the] {other}",
+         "Because it is heavier than water.", false},
+        {"Why does it float?", "because [the] {thing} is <comparative:light> than [the] {other}",
+         "because the metal block is heavier than water", false},
+        {"Which way do you feel it?", "it is <comparative:light>", "it is heavier", false},
+    };
+    for (const auto& row : rows) {
+        CAPTURE(row.prompt);
+        Conversation talk(catalogue);
+        talk.ask(compiled({"q", row.prompt, {row.answer}, lists}));
+        const Mark mark = talk.hear(row.said);
+        REQUIRE_FALSE(mark.opposite_said.empty());
+        const Feedback feedback = talk.respond(mark, false);
+        CHECK(feedback.kind == FeedbackKind::not_understood);
+        CHECK((feedback.keys.front() == "feedback.opposite") == row.is_named);
     }
 }

@@ -112,6 +112,7 @@ TEST_CASE("noun: materials are mass nouns; some have kinds") {
         INFO(material);
         CHECK(is_mass_noun(material));
     }
+    CHECK(is_mass_noun("torque"));
     CHECK_FALSE(is_mass_noun("rock"));
     CHECK_FALSE(is_mass_noun("stone"));
     CHECK(has_kinds("metal"));

@@ -70,8 +70,8 @@ TEST_CASE("mark: the passive, right in every way that English has, carries no er
         for (const std::string material : kMaterials) {
             const Slots slots{{"thing", thing.value}, {"material", material}};
             const std::string subject = std::string(thing.with_article) + " " + thing.is + " ";
-            for (const char* made : {"made of ", "made out of ", "made up of ", "MADE OF THE ",
-                                     "made of this ", "made of some "}) {
+            for (const char* made : {"made of ", "made out of ", "made up of ", "MADE OF SOME ",
+                                     "made of this ", "made of that "}) {
                 count.add(question, subject + made + material, "", slots);
                 count.add(question, "I think " + subject + made + material + ".", "", slots);
             }
@@ -115,6 +115,7 @@ TEST_CASE("mark: each wrong passive has its label, and the meaning is kept") {
                 {subject + "makes of " + material, "R:VERB:VOICE"},
                 {subject + "make of " + material, "R:VERB:VOICE"},
                 {subject + is + " made of a " + material, "U:DET"},
+                {subject + is + " made of the " + material, "U:DET"},
                 {subject + "made by a " + material, "M:VERB R:PREP U:DET"},
                 {subject + "it " + is + " made of " + material, "U:PRON"},
             };
@@ -144,7 +145,7 @@ TEST_CASE("mark: each wrong passive has its label, and the meaning is kept") {
                   {{"thing", "table"}, {"material", material}});
     }
     INFO(count.first);
-    CHECK(count.tried == 18 * 8 * 16 + 15 * 8 + 40 + 5);
+    CHECK(count.tried == 18 * 8 * 17 + 15 * 8 + 40 + 5);
     CHECK(count.wrong == 0);
 }
 
@@ -366,15 +367,14 @@ TEST_CASE("mark: a short answer is completed where only it was asked for") {
 
 TEST_CASE("mark: what turns an adjective round, or is no such thing, is not understood") {
     for (const char* said :
-         {"metal is not hard", "metal isn't hard", "metal is less hard",
-          "metal is hard and not smooth", "metal is neither hard nor smooth", "grass is smooth",
-          "medal is hard", "metal is stinky", "metal is hard and", "metal is and smooth", "and",
-          "is metal hard", "hard metal is"}) {
+         {"metal is less hard", "metal is hard and not smooth", "metal is neither hard nor smooth",
+          "grass is smooth", "medal is hard", "metal is stinky", "metal is hard and",
+          "metal is and smooth", "and", "is metal hard", "hard metal is"}) {
         INFO(said);
         CHECK_FALSE(mark_answer(feels_how(), said).understood);
     }
-    for (const char* said : {"a spaceship is not made of metal", "a spaceship is made of cheese",
-                             "a spaceship is metal of made", "made", "of", "it is made"}) {
+    for (const char* said : {"a spaceship is made of cheese", "a spaceship is metal of made",
+                             "made", "of", "it is made"}) {
         INFO(said);
         CHECK_FALSE(mark_answer(made_of_what(), said).understood);
     }

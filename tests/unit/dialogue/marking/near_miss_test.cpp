@@ -104,3 +104,32 @@ TEST_CASE("near miss: the frame of a counting sentence counts several") {
                                    {{"number", {"one", "two"}}, {"place", {"here"}}}})) ==
           "There are … eggs.");
 }
+
+TEST_CASE("near miss: a frame says no thing twice, and a place with its thing is one gap") {
+    // What the question says stands in one place, and a place with its thing is one gap.
+    const Question ball = compiled({"q",
+                                    "Where is the ball now?",
+                                    {"[the] {thing} is <place>"},
+                                    {{"thing", {"ball", "box", "ramp"}},
+                                     {"other", {"ball", "box", "ramp"}},
+                                     {"where", {"on", "under"}}},
+                                    {{"place", "{where} the {other}"}}});
+    CHECK(sentence_frame(ball) == "The ball is …");
+    CHECK(example_sentence(ball) == "The ball is on the box.");
+}
+
+TEST_CASE("near miss: what the question says is none of the choices") {
+    const NamedLists lists{{"material", {"metal", "wood"}}, {"feel", {"hard", "rough"}}};
+    const std::vector<std::string> answers{"{material} is <adjective:{feel}>"};
+    CHECK(choices(compiled({"q", "What is wood like?", answers, lists})) ==
+          std::vector<std::string>{"hard", "rough"});
+    CHECK(choices(compiled({"q", "What are wood and metal like?", answers, lists})) ==
+          std::vector<std::string>{"metal", "wood", "hard", "rough"});
+    const NamedLists places{{"thing", {"ball", "box"}}, {"other", {"ball", "box"}}};
+    CHECK(
+        choices(compiled({"q", "Where is the ball?", {"the {thing} is on the {other}"}, places})) ==
+        std::vector<std::string>{"the ball", "the box"});
+    // Where nothing else is left to choose all of it is told.
+    CHECK(choices(compiled({"q", "Is it wood?", {"it is {material}"}, lists})) ==
+          std::vector<std::string>{"metal", "wood"});
+}

@@ -1,6 +1,7 @@
 #include "dialogue/speech/word_graph.h"
 
 #include "dialogue/template/compile.h"
+#include "dialogue/template/matcher.h"
 
 #include <catch2/catch.hpp>
 
@@ -65,6 +66,26 @@ class Heard {
 };
 
 }  // namespace
+
+TEST_CASE(
+    "word graph: what only follows from a sentence is typed, for a closed vocabulary has to stay "
+    "small") {
+    const TemplateSet set = compile({"the {thing} is the <superlative:heavy>"});
+    REQUIRE(match(set, "the egg is not the heaviest"));
+    REQUIRE(match(set, "the egg weighs the most"));
+    const WordGraph graph = make_word_graph(set);
+    for (const char* said : {"the egg is not the heaviest", "the egg weighs the most", "neither"}) {
+        INFO(said);
+        CHECK_FALSE(Heard(graph).contains(said));
+    }
+    CHECK(Heard(graph).contains("the egg"));
+    std::size_t n_arcs = 0;
+    for (int i = 0; i < set.answers; ++i) {
+        n_arcs += set.graphs[static_cast<std::size_t>(i)].arcs.size();
+    }
+    CHECK(graph.arcs.size() < 3 * n_arcs);
+    CHECK(static_cast<std::size_t>(graph.nodes) < graph.arcs.size());
+}
 
 TEST_CASE("word graph: has what is right, what learners say, and nothing that cannot be heard") {
     const WordGraph graph = make_word_graph(compile({"the {thing} is the <superlative:heavy>"}));

@@ -27,6 +27,7 @@ TEST_CASE("adjective phrase: a fixed word in its three degrees") {
     CHECK(codes_of(plain, "it is sticky").empty());
     CHECK(codes_of(plain, "it is very sticky").empty());
     CHECK(codes_of(plain, "it is a bit sticky").empty());
+    CHECK(codes_of(plain, "it is slightly sticky").empty());
     CHECK(codes_of(plain, "it is much sticky") == "R:ADV");
     CHECK(codes_of(plain, "it is stickily") == "R:MORPH");
     CHECK(codes_of(plain, "it is a sticky") == "U:DET");

@@ -1,3 +1,4 @@
+#include "dialogue/marking/mark.h"
 #include "dialogue/template/compile.h"
 #include "dialogue/template/matcher.h"
 #include "tests/unit/dialogue/questions.h"
@@ -62,4 +63,49 @@ TEST_CASE("grammar forms: a rule of the author's goes before a form of the same 
     const TemplateSet set = compiled_templates({{"<it> red"}, {}, {{"it", "that one is"}}});
     CHECK(match(set, "that one is red"));
     CHECK_FALSE(match(set, "it red"));
+}
+
+TEST_CASE("grammar forms: what English adds to a degree is right without the author's words") {
+    const Question most =
+        compiled({"most", "?", {"the {thing} is the <superlative:heavy>"}, fruit()});
+    const Question more = compiled(
+        {"more", "?", {"the {thing} is <comparative:heavy> [than the {thing:other}]"}, fruit()});
+    const struct {
+        const Question& question;
+        const char *said, *back;
+    } right[] = {
+        {most, "the egg is the heaviest of the three", "The egg is the heaviest of the three."},
+        {most, "the egg is the heaviest of all", "The egg is the heaviest of all."},
+        {most, "the egg is the heaviest one", "The egg is the heaviest one."},
+        {heaviest(), "the heaviest of all is the egg", "The heaviest of all is the egg."},
+        {heaviest(), "the egg is the heaviest one of them all",
+         "The egg is the heaviest one of them all."},
+        {more, "the egg is heavier than the apple is", "The egg is heavier than the apple."},
+        {most_of_feel(), "metal is the hardest of all", "Metal is the hardest of all."},
+    };
+    for (const auto& row : right) {
+        INFO(row.said);
+        const Mark mark = mark_answer(row.question, row.said);
+        CHECK(mark.understood);
+        CHECK(mark.form_right());
+        CHECK(mark.corrected == row.back);
+    }
+    CHECK(mark_answer(most, "the egg is heaviest of all").emphasised ==
+          "The egg is *the heaviest* of all.");
+    CHECK(mark_answer(most, "the egg is the most heavy of the four").emphasised ==
+          "The egg is *the heaviest* of the four.");
+    CHECK_FALSE(mark_answer(most, "the egg is the heaviest of").understood);
+    CHECK_FALSE(mark_answer(heaviest(), "the egg is the heaviest of all one").understood);
+    CHECK_FALSE(mark_answer(more, "the egg is is heavier than the apple").understood);
+}
+
+TEST_CASE("grammar forms: what is made of metal is metal, and the metal is not a spaceship") {
+    CHECK(mark_answer(spaceship_of_what(), "the spaceship is metal").form_right());
+    CHECK(mark_answer(spaceship_of_what(), "metal").slot("material") == "metal");
+    CHECK(mark_answer(made_of_what(), "the scissors are metal").form_right());
+    CHECK(mark_answer(spaceship_of_what(), "the spaceship are metal").emphasised ==
+          "The spaceship *is* metal.");
+    CHECK(mark_answer(spaceship_of_what(), "the spaceship is a metal").emphasised ==
+          "The spaceship is *metal*.");
+    CHECK_FALSE(mark_answer(made_of_what(), "metal is a spaceship").understood);
 }

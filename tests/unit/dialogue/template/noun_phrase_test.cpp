@@ -31,6 +31,54 @@ std::string codes_of(const std::string& article, const std::string& said) {
 
 }  // namespace
 
+TEST_CASE("noun phrase: no article behind no; the wind is the one around everybody") {
+    const Question question =
+        compiled({"why",
+                  "Why?",
+                  {"there is no {nothing}", "the {nothing} stopped", "it has no {part}"},
+                  {{"nothing", {"wind", "air"}}, {"part", {"tail"}}}});
+    const auto said_back = [&](const char* said) {
+        const Mark mark = mark_answer(question, said);
+        return mark.form_right() ? mark.corrected : mark.emphasised;
+    };
+    CHECK(said_back("there is no wind") == "There is no wind.");
+    CHECK(said_back("there is no the wind") == "There is no *wind*.");
+    CHECK(said_back("it has no a tail") == "It has no *tail*.");
+    CHECK(said_back("it has no tails") == "It has no tails.");
+    CHECK(said_back("the wind stopped") == "The wind stopped.");
+    CHECK(said_back("wind stopped") == "*The wind* stopped.");
+    CHECK(said_back("air stopped") == "Air stopped.");
+}
+
+TEST_CASE("noun phrase: a comparative of a list has its wrong forms too") {
+    const Question question = compiled({"change",
+                                        "How?",
+                                        {"make the tail {size}", "it needs a {size} tail"},
+                                        {{"size", {"longer|long", "shorter"}}}});
+    const auto said_back = [&](const char* said) {
+        const Mark mark = mark_answer(question, said);
+        return std::string(mark.slot("size")) + ": " + mark.emphasised;
+    };
+    CHECK(said_back("make the tail more long") == "longer: Make the tail *longer*.");
+    CHECK(said_back("make the tail more shorter") == "shorter: Make the tail *shorter*.");
+    CHECK(said_back("it needs a more long tail") == "longer: It needs *a longer* tail.");
+    CHECK(said_back("it needs a long tail") == "longer: It needs a long tail.");
+    const Mark mark = mark_answer(question, "make the tail more long");
+    REQUIRE(mark.form_errors.size() == 1);
+    CHECK(mark.form_errors[0].code == ErrorCode::adjective_form);
+    CHECK(mark.form_errors[0].base == "long");
+}
+
+TEST_CASE("noun phrase: what is called torque is nobody's own, and not one of several") {
+    const TemplateSet set =
+        compiled_templates({{"it is called {term}"}, {{"term", {"torque"}}}, {}});
+    CHECK(match(set, "it is called torque")->cost == 0);
+    CHECK_FALSE(match(set, "it is called my torque"));
+    const auto one = match(set, "it is called a torque");
+    REQUIRE(one);
+    CHECK(one->cost > 0);
+}
+
 TEST_CASE("noun phrase: each class of noun has its articles") {
     const struct {
         const char *article, *said, *codes;
@@ -75,6 +123,17 @@ TEST_CASE("noun phrase: each class of noun has its articles") {
         {"<article>", "an earth", "R:DET->the"},
         {"<article>", "a herb", ""},
         {"<article>", "an herb", ""},
+        {"no", "no water", ""},
+        {"no", "no the water", "U:DET->"},
+        {"no", "no watermelon", ""},
+        {"no", "no watermelons", ""},
+        {"no", "no a watermelon", "U:DET->"},
+        {"enough", "enough water", ""},
+        {"enough", "enough the water", "U:DET->"},
+        {"any", "any scissors", ""},
+        {"(no|too little)", "too little water", ""},
+        {"(no|too little)", "no the water", "U:DET->"},
+        {"any", "any the scissors", "U:DET->"},
         {"the", "watermelon", "M:DET->the"},
         {"the", "a watermelon", ""},
         {"the", "eggs", "M:DET->the R:NOUN:NUM->egg"},

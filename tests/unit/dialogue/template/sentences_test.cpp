@@ -1,5 +1,6 @@
 #include "dialogue/template/sentences.h"
 
+#include "dialogue/marking/mark.h"
 #include "tests/unit/dialogue/questions.h"
 
 #include <catch2/catch.hpp>
@@ -16,6 +17,29 @@ std::string canonical(const Question& question,
 
 }  // namespace
 
+TEST_CASE("sentences: forms of a word are alike, other words are not") {
+    for (const auto& [word, other] : {std::pair{"turn", "turning"},
+                                      {"stop", "stopped"},
+                                      {"stops", "stopped"},
+                                      {"hard", "harder"},
+                                      {"make", "making"},
+                                      {"go", "go"}}) {
+        INFO(word << " " << other);
+        CHECK(alike(word, other));
+    }
+    CHECK_FALSE(alike("than", "that"));
+    CHECK_FALSE(alike("is", "it"));
+    CHECK_FALSE(alike("lift", "light"));
+}
+
+TEST_CASE("sentences: n't is shown with its verb") {
+    const Question question =
+        compiled({"why", "Why?", {"it doesn't have {nothing}"}, {{"nothing", {"wind"}}}});
+    const Mark mark = mark_answer(question, "it don't have wind");
+    CHECK(mark.emphasised == "It *doesn't* have wind.");
+    CHECK(mark.gapped == "It … have wind.");
+}
+
 TEST_CASE("sentences: the canonical one has the right article and verb, and nothing optional") {
     CHECK(canonical(heaviest(), {{"thing", "egg"}}) == "An egg is the heaviest.");
     CHECK(canonical(heaviest(), {{"thing", "watermelon"}}) == "A watermelon is the heaviest.");
@@ -30,6 +54,25 @@ TEST_CASE("sentences: the canonical one has the right article and verb, and noth
     // Unknown names and values fall back on the first entry.
     CHECK(canonical(heaviest(), {{"thing", "pear"}, {"no slot", "x"}}) ==
           "A watermelon is the heaviest.");
+}
+
+TEST_CASE(
+    "sentences: adjectives side by side are a list with commas, in and beside what is emphasised") {
+    const Question three =
+        compiled({"feel",
+                  "?",
+                  {"{material} is <adjective:{feel}> [and] <adjective:{feel:also}> and "
+                   "<adjective:{feel:third}>"},
+                  {{"material", {"metal"}}, {"feel", {"hard", "smooth", "slippery"}}}});
+    CHECK(canonical(three, {{"feel", "hard"}, {"also", "smooth"}, {"third", "slippery"}}) ==
+          "Metal is hard, smooth and slippery.");
+    const Mark slip = mark_answer(three, "metal is hard smoth and slippery");
+    CHECK(slip.corrected == "Metal is hard, smooth and slippery.");
+    CHECK(slip.emphasised == "Metal is hard, *smooth* and slippery.");
+    CHECK(mark_answer(three, "metal is hrd, smooth and slippery").emphasised ==
+          "Metal is *hard*, smooth and slippery.");
+    CHECK(mark_answer(three, "metal is hard and smooth and slippery").corrected ==
+          "Metal is hard and smooth and slippery.");
 }
 
 TEST_CASE("sentences: who speaks is I, however a template writes it") {

@@ -51,7 +51,10 @@ TEST_CASE("short answers: what is turned round comes last and is taken for nothi
     const Graph& graph = set.graphs[static_cast<std::size_t>(turned->graph)];
     CHECK(graph.turned_round);
     CHECK_FALSE(graph.short_answer);
-    CHECK(&graph == &set.graphs.back());
+    const auto behind = set.graphs.begin() + turned->graph + 1;
+    CHECK(std::none_of(behind, set.graphs.end(), [](const Graph& other) {
+        return other.short_answer && other.claim == Claim::same;
+    }));
     CHECK(turned->slots == std::vector<std::pair<std::string, std::string>>{{"thing", "wood"},
                                                                             {"material", "table"}});
     // The thing is what stands before, whatever follows.
@@ -80,4 +83,21 @@ TEST_CASE("short answers: they stay within the budget of arcs, or the template i
     const auto many = compile_templates({answers, lists, {}});
     REQUIRE_FALSE(many);
     CHECK_THAT(many.error().message, Catch::Contains("grow beyond"));
+}
+
+TEST_CASE("short answers: what is counted is said alone, and completed") {
+    const NamedLists numbers{{"number", {"one|a|an", "two", "three"}}};
+    const Question ramps =
+        compiled({"q", "How many ramps are there?", {"there are {number} <plural:ramp>"}, numbers});
+    CHECK(shorts_of(ramps, {"three ramps", "two ramps", "three", "a ramp", "ramps"}) ==
+          std::vector<std::string>{"three ramps", "two ramps", "three", "a ramp"});
+    CHECK(mark_answer(ramps, "three ramps").corrected == "There are three ramps.");
+    CHECK(mark_answer(ramps, "three ramps").slot("number") == "three");
+    CHECK(mark_answer(ramps, "three ramp").form_errors.size() == 1);
+    CHECK(mark_answer(ramps, "three ramp").emphasised == "There are three *ramps*.");
+    // What the author wrote is no short answer.
+    const Question both = compiled(
+        {"q", "How many?", {"there are {number} <plural:egg>", "{number} <plural:egg>"}, numbers});
+    CHECK(shorts_of(both, {"two eggs"}).empty());
+    CHECK(mark_answer(both, "two eggs").understood);
 }

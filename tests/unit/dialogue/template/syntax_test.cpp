@@ -73,15 +73,15 @@ TEST_CASE("syntax: mistakes are told with their column") {
         {"a) b", "')' closes nothing", 2},
         {"a } b", "'}' closes nothing", 3},
         {"(a]", "']' closes nothing", 3},
-        {"{}", "a name", 2},
-        {"{ }", "a name", 2},
-        {"<a b>", "a name", 2},
+        {"{}", "is empty", 2},
+        {"{ }", "is empty", 2},
+        {"<a b>", "where a colon belongs", 2},
         {"{thing:}", "missing after ':'", 8},
         {"<superlative:>", "missing after ':'", 14},
         {"{a:b c}", "missing after ':'", 4},
         {"<made_of:{material>", "never closed; add '}'", 10},
         {"<made_of:{material}", "never closed; add '>'", 1},
-        {"<made_of:{}>", "a name", 11},
+        {"<made_of:{}>", "is empty", 11},
         {"<made_of:{a} {b}>", "only one {list}", 13},
         {"<made_of:{a}b>", "only one {list}", 13},
         {"<made_of:{a> b}", "a name", 11},
@@ -107,4 +107,30 @@ TEST_CASE("syntax: hostile depth and length are refused") {
     CHECK_FALSE(parse_template(std::string(4000, '(')));
     CHECK_FALSE(parse_template(std::string(5000, 'a')));
     CHECK_FALSE(parse_template(std::string(1 << 20, '[')));
+}
+
+TEST_CASE("syntax: a blank instead of a colon, and what is no name, are told with what to write") {
+    struct {
+        const char *text, *said;
+        int column;
+    } const rows[] = {
+        {"it is the <superlative heavy>",
+         "<superlative heavy> has a space where a colon belongs; write <superlative:heavy>", 12},
+        {"it is <adjective {feel}>",
+         "<adjective {feel}> has a space where a colon belongs; write <adjective:{feel}>", 8},
+        {"the {thing other}",
+         "{thing other} has a space where a colon belongs; write {thing:other}", 6},
+        {"it is <>", "<> is empty; write a form of grammar with its word, such as", 8},
+        {"it is {}", "{} is empty; write the name of a list", 8},
+        {"it is <most heavy thing>", "<most heavy thing> is no form of grammar and no rule", 8},
+        {"it is {big-ger}", "{big-ger} is no list: a name has letters, digits and _", 8},
+    };
+    for (const auto& row : rows) {
+        const auto parsed = parse_template(row.text);
+        INFO(row.text);
+        REQUIRE_FALSE(parsed);
+        INFO(parsed.error().message);
+        CHECK(parsed.error().message.starts_with(row.said));
+        CHECK(parsed.error().column == row.column);
+    }
 }

@@ -109,3 +109,12 @@ TEST_CASE("tokens: it's got is it has got, and it's hot is it is hot") {
     CHECK(words_of("it is got") == std::vector<std::string>{"it", "is", "got"});
     CHECK(words_of("it's hot") == std::vector<std::string>{"it", "is", "hot"});
 }
+
+TEST_CASE("tokens: words between blanks, and a text without the blanks around it") {
+    CHECK(words_between_blanks("It's  the EGG!") == " it is the egg ");
+    CHECK(words_between_blanks("") == " ");
+    CHECK(without_blanks("  an egg ") == "an egg");
+    CHECK(without_blanks("\tan egg\r\n") == "an egg");
+    CHECK(without_blanks("   ").empty());
+    CHECK(without_blanks("").empty());
+}

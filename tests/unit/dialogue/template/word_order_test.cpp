@@ -18,11 +18,7 @@ bool has_order(const Mark& mark) {
 }
 
 std::size_t arcs_of(const Question& question) {
-    std::size_t arcs = 0;
-    for (const Graph& graph : question.templates->graphs) {
-        arcs += graph.arcs.size();
-    }
-    return arcs;
+    return question.templates->graphs.front().arcs.size();
 }
 
 }  // namespace
@@ -58,6 +54,47 @@ TEST_CASE(
     CHECK(mark_answer(heavier(), "an apple heavier than an egg is").slot("other") == "egg");
 }
 
+TEST_CASE("word order: an error of it tells what the verb belongs before") {
+    CHECK(mark_answer(heaviest(), "a watermelon the heaviest is").form_errors.at(0).phrase ==
+          "is the heaviest");
+    CHECK(mark_answer(heavier(), "an apple heavier is than an egg").form_errors.at(0).phrase ==
+          "is heavier");
+    CHECK(mark_answer(made_of_what(), "a key is of metal made").form_errors.at(0).phrase ==
+          "is made of");
+}
+
+TEST_CASE("word order: a verb behind what is compared, and made behind the material") {
+    const struct {
+        Question question;
+        const char *said, *codes, *recast;
+    } rows[] = {
+        {heavier(), "an apple heavier is than an egg", "R:WO",
+         "An apple *is* heavier than an egg."},
+        {heavier(), "apples heavier are than eggs", "R:WO", "Apples *are* heavier than eggs."},
+        {compares_feel(), "metal harder is than wood", "R:WO", "Metal *is* harder than wood."},
+        {spaceship_of_what(), "the spaceship is of metal made", "R:WO",
+         "The spaceship is *made* of metal."},
+        {spaceship_of_what(), "the spaceship of metal is made", "R:WO",
+         "The spaceship *is* made of metal."},
+        {scissors_of_what(), "the scissors of metal made are", "?", ""},
+        {scissors_of_what(), "the scissors are of metal made", "R:WO",
+         "The scissors are *made* of metal."},
+        // Said in both places it is one too many, in the second.
+        {heavier(), "an apple is heavier is than an egg", "R:WO",
+         "An apple is heavier than an egg."},
+    };
+    for (const auto& row : rows) {
+        INFO(row.said);
+        const Mark mark = mark_answer(row.question, row.said);
+        std::string codes = mark.understood ? "" : "?";
+        for (const FormError& error : mark.form_errors) {
+            codes += (codes.empty() ? "" : " ") + std::string(error.errant());
+        }
+        CHECK(codes == row.codes);
+        CHECK(mark.emphasised == row.recast);
+    }
+}
+
 TEST_CASE("word order: another verb than the sentence's own is not taken for it") {
     CHECK_FALSE(mark_answer(feels_how(), "metal hard is feels").understood);
     CHECK_FALSE(mark_answer(heaviest(), "a watermelon the heaviest has").understood);
@@ -68,6 +105,9 @@ TEST_CASE("word order: no sentence with other errors is told as one out of order
     for (const Question& question : all_questions()) {
         const TemplateSet& set = *question.templates;
         for (const Graph& graph : set.graphs) {
+            if (graph.nearly) {
+                continue;  // out of order, whatever else is wrong
+            }
             each_wrong_sentence(
                 set, graph,
                 [&](const std::string& said) {

@@ -55,6 +55,34 @@ TEST_CASE("convex depth: what has no thickness is parted along its normal") {
     CHECK(same.normal.norm() == Approx(1.0));
 }
 
+TEST_CASE("convex depth: from whichever four of their points on it is as deep") {
+    Random random(3);
+    const auto box = make_contact_shape(BoxShape{{1.0, 0.5, 0.7}}).value();
+    const auto cylinder = make_contact_shape(CylinderShape{0.6, 0.8}).value();
+    int n_tried = 0;
+    for (int i = 0; i < 500; ++i) {
+        const PlacedShape a{.shape = &box};
+        const PlacedShape b{.shape = &cylinder, .place = 0.4 * random.in_cube()};
+        const auto find_support = [&](const Vector3& d) noexcept {
+            return Vector3(a.find_support(d) - b.find_support(-d));
+        };
+        std::array<Vector3, 4> from;
+        for (Vector3& corner : from) {
+            corner = find_support(random.in_cube().normalized());
+        }
+        Matrix3 edges;
+        edges << from[1] - from[0], from[2] - from[0], from[3] - from[0];
+        if (std::abs(edges.determinant()) < 0.1) {
+            continue;
+        }
+        ++n_tried;
+        const ConvexGap found = find_convex_depth(find_support, from);
+        REQUIRE(found.gap_m == Approx(find_convex_depth(find_support).gap_m).margin(8.0e-6));
+        REQUIRE(found.gap_m == Approx(-find_support(-found.normal).dot(-found.normal)));
+    }
+    CHECK(n_tried > 100);
+}
+
 TEST_CASE("convex depth: no direction tried by hand parts bodies sooner") {
     Random random(2);
     const auto shapes = make_contact_shapes(1.0);

@@ -5,6 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <span>
+#include <vector>
+
 namespace fulcrum {
 namespace {
 
@@ -49,6 +52,53 @@ TEST_CASE("dantzig solver: rows that contradict each other are answered, finite,
     CHECK_FALSE(report.converged);
     CHECK(report.n_regularised > 0);
     CHECK(problem.bodies()[0].velocity_W.allFinite());
+}
+
+TEST_CASE("dantzig solver: what it tells of a problem is of that one, whatever it met before") {
+    const ContactSolverSettings settings = settings_of(ContactMethod::dantzig);
+    const ContactCapacity capacity{2, 2, 0};
+    DantzigSolver solver(settings, capacity);
+    const std::vector<double> friction{0.0, 0.0};
+    const auto fall = [&](int n_bodies, double mass_kg, double speed_m_per_s) {
+        ContactProblem problem(capacity);
+        for (int body = 0; body < n_bodies; ++body) {
+            problem.add_body(mass_kg, ball_inertia(mass_kg, 0.1),
+                             moving({0.0, -speed_m_per_s, 0.0}));
+            ContactConstraint contact = contact_at(kGround, Vector3::Zero(), body, {0.0, 0.1, 0.0},
+                                                   Vector3::Zero(), Vector3::UnitY());
+            contact.impulse_Ns.x() = 1.0;  // it was pressed, and so is solved for at once
+            problem.add_contact(contact);
+        }
+        return solver.solve(problem, std::span(friction).first(static_cast<std::size_t>(n_bodies)),
+                            1.0e-8);
+    };
+    // Impulses beyond all numbers, and told so; then one that is easy, of fewer rows.
+    CHECK(fall(2, 1.0e3, 1.0e306).n_regularised > 0);
+    const SolveReport sound = fall(1, 1.0, 1.0);
+    CHECK(sound.converged);
+    CHECK(sound.n_regularised == 0);
+}
+
+TEST_CASE("dantzig solver: where friction's bounds never agree that is counted") {
+    // What slides presses the more the less it is dragged: no rounds of bounds end there.
+    const std::vector<double> friction{5.0};
+    int n_apart = 0;
+    for (const double side : {-1.0, 1.0}) {
+        for (const double along : {-5.0, 5.0}) {
+            ContactProblem problem({1, 1, 0});
+            problem.add_body(1.0, 0.01 * Matrix3::Identity(), moving({along, -1.0, 0.0}));
+            problem.add_contact(contact_at(kGround, Vector3::Zero(), 0, {0.3 * side, 0.3, 0.0},
+                                           Vector3::Zero(), Vector3::UnitY(), 5.0));
+            DantzigSolver solver(settings_of(ContactMethod::dantzig), problem.capacity());
+            const SolveReport report = solver.solve(problem, friction, 1.0e-8);
+            CAPTURE(side, along, report.n_iterations, report.residual_m_per_s);
+            if (!report.converged) {
+                ++n_apart;
+                CHECK(report.n_regularised > 0);
+            }
+        }
+    }
+    CHECK(n_apart > 0);
 }
 
 }  // namespace

@@ -326,5 +326,20 @@ TEST_CASE("friction constraint: what is no number, or has no room, is refused") 
     CHECK(solver.force_W(0) == Vector3::Zero());
 }
 
+TEST_CASE(
+    "friction constraint: after a way of any other size it answers, and what it calls exact is a "
+    "number") {
+    FrictionConstraintSolver solver = solver_of(under_a_cube(2, 0.3));
+    for (const double size : {1.0, 1.0e150, 1.0e-160, 1.0e-3, 1.0e150, 1.0}) {
+        CAPTURE(size);
+        const LeastConstraint& answer = solver.solve(size * six({0.1, -1.0, 0.0}));
+        REQUIRE(answer.acceleration.allFinite());
+        REQUIRE(answer.force.allFinite());
+        REQUIRE(answer.exact);
+        CHECK(answer.acceleration.norm() <= 1.0e-6 * size);
+        CHECK(answer.force[1] == Approx(kMass_kg * size).epsilon(1.0e-3));
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -231,6 +232,108 @@ TEST_CASE("least constraint: a thousand contacts of one plane are as good as thr
         CHECK(std::abs(answer.acceleration[0] - wanted[0]) <= 1.0e-11);
         CHECK(std::abs(answer.acceleration[2] - wanted[2]) <= 1.0e-11);
         CHECK(std::abs(answer.acceleration[4] - wanted[4]) <= 1.0e-9);
+    }
+}
+
+// Sixty contacts on walls through the tool, as a mesh tells them: each normal off by up to `error`.
+std::vector<Contact> make_contacts_off(Random& random, double error, bool opposed) {
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 60; ++k) {
+        const double up = opposed && k % 2 == 1 ? -1.0 : 1.0;
+        const Vector3 normal(random.draw(-error, error), up, random.draw(-error, error));
+        contacts.push_back({{random.draw(-0.05, 0.05), -0.02 * up, random.draw(-0.05, 0.05)},
+                            normal.normalized()});
+    }
+    return contacts;
+}
+
+TEST_CASE(
+    "least constraint: between opposed walls whose normals err nothing holds along them, and the "
+    "contacts push no more than they must") {
+    const double error = GENERATE(0.0, 1e-15, 1e-13, 1e-12, 1e-11, 1e-10, 4e-10, 1e-9);
+    const bool opposed = GENERATE(true, false);
+    CAPTURE(error, opposed);
+    Random random(17);
+    for (int trial = 0; trial < 50; ++trial) {
+        const std::vector<Contact> contacts = make_contacts_off(random, error, opposed);
+        LeastConstraintSolver solver = solver_of(contacts);
+        // Anew, and then from the answer before.
+        for (int i = 0; i < 3; ++i) {
+            const Vector6 wanted =
+                six({random.draw(-1, 1), -3.0, random.draw(-1, 1)},
+                    {random.draw(-20, 20), random.draw(-20, 20), random.draw(-20, 20)});
+            const LeastConstraint answer = solver.solve(wanted);
+            REQUIRE(answer.exact);
+            REQUIRE(std::abs(answer.acceleration[0] - wanted[0]) <= 1.0e-6);
+            REQUIRE(std::abs(answer.acceleration[2] - wanted[2]) <= 1.0e-6);
+            REQUIRE(std::abs(answer.acceleration[4] - wanted[4]) <= 1.0e-5);
+            Vector6 sum = Vector6::Zero();
+            double pushes_N = 0.0;
+            for (std::size_t k = 0; k < contacts.size(); ++k) {
+                const Contact& c = contacts[k];
+                const double push_N = solver.force_N(k);
+                REQUIRE(push_N >= 0.0);
+                sum += push_N * six(c.normal_W, c.arm_W.cross(c.normal_W));
+                pushes_N += push_N;
+                // No wall is entered by more than its normal errs.
+                REQUIRE(six(c.normal_W, c.arm_W.cross(c.normal_W)).dot(answer.acceleration) >=
+                        -4.0e-7);
+            }
+            REQUIRE((sum - answer.force).norm() <= 1.0e-6 * answer.force.norm());
+            REQUIRE(pushes_N <= 100.0 * kMass_kg * wanted.norm());
+        }
+    }
+}
+
+TEST_CASE(
+    "least constraint: of walls that are alike but for their normals' error the strictest holds") {
+    const double error = GENERATE(1e-15, 1e-12, 1e-10, 1e-9);
+    Random random(19);
+    std::vector<Contact> contacts = make_contacts_off(random, error, false);
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        contacts[k].least = -0.01 * static_cast<double>(k + 1);
+    }
+    LeastConstraintSolver solver = solver_of(contacts);
+    const Vector6 wanted = six({0.5, -3.0, 0.2}, {3.0, 0.0, -2.0});
+    const LeastConstraint answer = solver.solve(wanted);
+    REQUIRE(answer.exact);
+    CHECK(answer.acting > 0);
+    for (const Contact& c : contacts) {
+        CHECK(six(c.normal_W, c.arm_W.cross(c.normal_W)).dot(answer.acceleration) >=
+              c.least - 1.0e-7);
+    }
+    SECTION("and opposed ones that leave no room contradict each other") {
+        LeastConstraintSolver closed(2);
+        REQUIRE(closed.set_inertia(kMass_kg, bar_inertia()));
+        REQUIRE(closed.add(Vector3::Zero(), Vector3::UnitY(), 1.0e-3));
+        REQUIRE(closed.add(Vector3::Zero(), Vector3(error, -1.0, 0.0), 1.0e-3));
+        CHECK_FALSE(closed.solve(wanted).exact);
+    }
+}
+
+TEST_CASE(
+    "least constraint: in a vee whose normals err rows do not take each other's place for ever") {
+    Random random(31);
+    for (int trial = 0; trial < 12000; ++trial) {
+        std::vector<Contact> contacts;
+        for (int k = 0; k < 4 + trial % 60; ++k) {
+            const Vector3 normal =
+                Vector3(k % 2 == 0 ? -0.5 : 0.5, 1.0, 0.0) + random.draw_vector(1.0e-9);
+            contacts.push_back({Vector3(random.draw(-0.05, 0.05), -0.02, random.draw(-0.05, 0.05)),
+                                normal.normalized()});
+        }
+        LeastConstraintSolver solver = solver_of(contacts);
+        const Vector6 wanted =
+            six({random.draw(-1, 1), -3.0, random.draw(-1, 1)}, random.draw_vector(20.0));
+        const LeastConstraint answer = solver.solve(wanted);
+        CAPTURE(trial, answer.rounds);
+        REQUIRE(answer.exact);
+        double deepest = 0.0;
+        for (const Contact& c : contacts) {
+            deepest = std::max(
+                deepest, -six(c.normal_W, c.arm_W.cross(c.normal_W)).dot(answer.acceleration));
+        }
+        REQUIRE(deepest <= 1.0e-6);
     }
 }
 

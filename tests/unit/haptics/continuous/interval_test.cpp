@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
 #include <limits>
@@ -89,7 +90,54 @@ TEST_CASE("interval: what an operation gives lies in what it gives of intervals"
     check_operations(1, 20000);
 }
 
-TEST_CASE("interval: so it does whichever way the processor rounds") {
+// Any angle that has one; every third near a quarter of pi, where the series change.
+double draw_angle(Random& random, int i) {
+    const double angle = i % 3 == 0
+                             ? 0.25 * M_PI * static_cast<double>(random.integer() % 5) +
+                                   std::pow(10.0, -8.0 + 7.0 * random.uniform()) * random.uniform()
+                             : 1.6 + 1.6 * random.uniform();
+    return std::clamp(angle, 0.0, kMostAngle_rad);
+}
+
+// The greatest error of sine and cosine.
+double find_sine_error(unsigned seed, int n) {
+    Random random(seed);
+    long double worst = 0.0L;
+    for (int i = 0; i < n; ++i) {
+        const double angle = draw_angle(random, i);
+        const SineCosine turn = compute_sine_cosine(angle);
+        worst = std::max({worst, std::abs(turn.sine - std::sin(static_cast<long double>(angle))),
+                          std::abs(turn.cosine - std::cos(static_cast<long double>(angle)))});
+    }
+    return static_cast<double>(worst);
+}
+
+void check_sine_intervals(unsigned seed, int n) {
+    Random random(seed);
+    for (int i = 0; i < n; ++i) {
+        const double first = 1.6 + 1.6 * random.uniform();
+        const double width = i % 2 == 0 ? 1.6 : std::pow(10.0, -6.0 + 6.0 * random.uniform());
+        const double last = std::clamp(first + width * random.uniform(), 0.0, kMostAngle_rad);
+        // Every fifth a single angle.
+        const Interval angles =
+            i % 5 == 0 ? Interval::at(draw_angle(random, i)) : Interval::between(first, last);
+        const double angle = std::clamp(
+            angles.lower + (angles.upper - angles.lower) * (0.5 + 0.5 * random.uniform()),
+            angles.lower, angles.upper);
+        const SineCosineInterval turn = enclose_sine_cosine(angles);
+        CAPTURE(angles.lower, angles.upper, angle);
+        REQUIRE(holds(turn.sine, std::sin(static_cast<long double>(angle))));
+        REQUIRE(holds(turn.cosine, std::cos(static_cast<long double>(angle))));
+        // No wider than the angles are apart, but for the corners' margin.
+        const double apart = angles.upper - angles.lower;
+        REQUIRE(turn.sine.upper - turn.sine.lower <= apart + 1.0e-8);
+        if (angles.upper <= M_PI) {
+            REQUIRE(turn.cosine.upper - turn.cosine.lower <= apart + 1.0e-8);
+        }
+    }
+}
+
+TEST_CASE("interval: so it does whichever way the processor rounds, sine and cosine too") {
     struct RestoredMode {
         ~RestoredMode() { std::fesetround(FE_TONEAREST); }
     } const restored;
@@ -97,6 +145,8 @@ TEST_CASE("interval: so it does whichever way the processor rounds") {
         REQUIRE(std::fesetround(mode) == 0);
         // The long doubles are rounded the same way, by far less than the bounds' reserve.
         check_operations(2, 6000);
+        check_sine_intervals(5, 20000);
+        CHECK(find_sine_error(6, 50000) < kSineError);
     }
 }
 
@@ -134,25 +184,7 @@ TEST_CASE("interval: it is four units in the last place wide, not more") {
 }
 
 TEST_CASE("interval: sine and cosine are within 2^-50, by the C library's in more digits") {
-    Random random(3);
-    double worst = 0.0;
-    for (int i = 0; i < 400000; ++i) {
-        // Any angle; every third near a quarter of pi, where the series change.
-        double angle = 1.6 + 1.6 * random.uniform();
-        if (i % 3 == 0) {
-            angle = 0.25 * M_PI * static_cast<double>(random.integer() % 5) +
-                    std::pow(10.0, -8.0 + 7.0 * random.uniform()) * random.uniform();
-            angle = std::clamp(angle, 0.0, kMostAngle_rad);
-        }
-        const SineCosine turn = compute_sine_cosine(angle);
-        worst = std::max(
-            worst,
-            static_cast<double>(std::abs(turn.sine - std::sin(static_cast<long double>(angle)))));
-        worst = std::max(
-            worst,
-            static_cast<double>(std::abs(turn.cosine - std::cos(static_cast<long double>(angle)))));
-    }
-    CHECK(worst < 0.5 * kSineError);
+    CHECK(find_sine_error(3, 400000) < 0.5 * kSineError);
     CHECK(compute_sine_cosine(0.0).sine == 0.0);
     CHECK(compute_sine_cosine(0.0).cosine == 1.0);
     for (const double bad : {-1.0e-300, 3.21, kNone, kInfinity}) {
@@ -163,26 +195,7 @@ TEST_CASE("interval: sine and cosine are within 2^-50, by the C library's in mor
 
 TEST_CASE(
     "interval: sine and cosine of an interval hold those of every angle in it, and little more") {
-    Random random(4);
-    for (int i = 0; i < 100000; ++i) {
-        const double first = 1.6 + 1.6 * random.uniform();
-        const double width = i % 2 == 0 ? 1.6 : std::pow(10.0, -6.0 + 6.0 * random.uniform());
-        const double last = std::clamp(first + width * random.uniform(), 0.0, kMostAngle_rad);
-        const Interval angles = Interval::between(first, last);
-        const double angle = std::clamp(
-            angles.lower + (angles.upper - angles.lower) * (0.5 + 0.5 * random.uniform()),
-            angles.lower, angles.upper);
-        const SineCosineInterval turn = enclose_sine_cosine(angles);
-        CAPTURE(angles.lower, angles.upper, angle);
-        REQUIRE(holds(turn.sine, std::sin(static_cast<long double>(angle))));
-        REQUIRE(holds(turn.cosine, std::cos(static_cast<long double>(angle))));
-        // No wider than the angles are apart, but for the corners' margin.
-        const double apart = angles.upper - angles.lower;
-        REQUIRE(turn.sine.upper - turn.sine.lower <= apart + 1.0e-8);
-        if (angles.upper <= M_PI) {
-            REQUIRE(turn.cosine.upper - turn.cosine.lower <= apart + 1.0e-8);
-        }
-    }
+    check_sine_intervals(4, 100000);
     CHECK(enclose_sine_cosine(Interval::all()).sine.lower == -1.0);
     CHECK(enclose_sine_cosine({-0.1, 0.1}).cosine.upper == 1.0);
     // Zero, as it is after a multiplication.

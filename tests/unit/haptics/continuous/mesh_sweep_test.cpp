@@ -186,5 +186,38 @@ TEST_CASE("mesh sweep: what overlaps from the beginning on is told without looki
     CHECK(found.n_triangle_pairs < 200);
 }
 
+TEST_CASE(
+    "mesh sweep: of what is nearer than touching at the beginning and what crosses there the "
+    "latter is told") {
+    // Two triangles far from each other, met by two: one half a micrometre above, one across.
+    const auto make_two = [](const Triangle& first, const Triangle& second) {
+        return SweptMesh::create(
+            TriangleMesh::build({first[0], first[1], first[2], second[0], second[1], second[2]},
+                                {{0, 1, 2}, {3, 4, 5}})
+                .value());
+    };
+    const auto flat_at = [](double x, double y) {
+        return Triangle{Vector3(x, y, 0.0), Vector3(x + 0.1, y, 0.0), Vector3(x, y, 0.1)};
+    };
+    const auto across_at = [](double x) {
+        return Triangle{Vector3(x + 0.02, -0.1, 0.02), Vector3(x + 0.03, 0.1, 0.02),
+                        Vector3(x + 0.02, 0.1, 0.03)};
+    };
+    const InBetweenMotion away(Pose{}, Pose::at({0.0, 1.0, 0.0}));
+    const SweepSettings settings{.touch_m = 1.0e-6, .tolerance_m = 1.0e-6};
+    for (const double side : {-1.0, 1.0}) {
+        const auto held = make_two(flat_at(-side, 0.0), flat_at(side, 0.0));
+        const auto moving = make_two(flat_at(-side, 5.0e-7), across_at(side));
+        const MeshSweep told = sweep_meshes(*held, *moving, away, settings);
+        CHECK(told.outcome == SweepOutcome::overlapping);
+        CHECK(told.contact.time == 0.0);
+        // Without it: apart, and nearer than touching.
+        const auto above = make_two(flat_at(-side, 5.0e-7), flat_at(side, 0.5));
+        const MeshSweep touching = sweep_meshes(*held, *above, away, settings);
+        CHECK(touching.outcome == SweepOutcome::touching);
+        CHECK(touching.contact.time == 0.0);
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -97,5 +97,40 @@ TEST_CASE("swept boxes: boxes that stay apart are told so, by faces and by edges
                     .is_mostly_motion);
 }
 
+// What lies within a box's half sizes in its frame as that is kept.
+Vector3 place_in(const OrientedBox& box, const Vector3& at) {
+    Matrix3 rows;
+    rows << box.axis(0).transpose(), box.axis(1).transpose(), box.axis(2).transpose();
+    return -box.from_centre(Vector3::Zero()) + rows.inverse() * at;
+}
+
+Vector3 half_of(const OrientedBox& box) {
+    return {static_cast<double>(box.half_size[0]), static_cast<double>(box.half_size[1]),
+            static_cast<double>(box.half_size[2])};
+}
+
+TEST_CASE("swept boxes: boxes of one corner in common may touch, in the frames as they are kept") {
+    Random random(2);
+    for (int i = 0; i < 20000; ++i) {
+        const OrientedBox held =
+            make_oriented(random.in_cube(), random.turn(M_PI), draw_half(random));
+        OrientedBox moving = make_oriented(Vector3::Zero(), random.turn(M_PI), draw_half(random));
+        // The moving one's lowest corner, as seen along an axis of the held one, on that one's face.
+        const auto k = static_cast<Eigen::Index>(i % 3);
+        const Vector3 out = held.axis(static_cast<std::size_t>(k)).normalized();
+        Vector3 lowest = half_of(moving);
+        for (Eigen::Index j = 0; j < 3; ++j) {
+            lowest[j] *= moving.axis(static_cast<std::size_t>(j)).dot(out) > 0.0 ? -1.0 : 1.0;
+        }
+        Vector3 on_face = half_of(held).cwiseProduct(random.in_cube());
+        on_face[k] = half_of(held)[k];
+        const Pose at = Pose::at(place_in(held, on_face) - place_in(moving, lowest));
+        CAPTURE(i);
+        REQUIRE(look_at_boxes(held, moving, Vector3::Zero(),
+                              TimePiece::of(InBetweenMotion(at, at), 0.0, 1.0), 0.0)
+                    .may_touch);
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -1,5 +1,6 @@
 #include "haptics/continuous/triangle_sweep.h"
 
+#include "haptics/continuous/interval_sweep.h"
 #include "haptics/math/rotation.h"
 #include "tests/support/way_judge.h"
 
@@ -147,6 +148,25 @@ TEST_CASE("triangle sweep: what touches is what comes nearer than is asked") {
         // A way that ends before.
         CHECK(sweep(kFloor, kTip, start, Pose::at({0.2, touch_m + 2.0e-6, 0.1}), {touch_m, 1.0e-6})
                   .outcome == SweepOutcome::free);
+    }
+}
+
+TEST_CASE("triangle sweep: a way that begins nearer than what touches touches at 0, and is apart") {
+    const SweepSettings settings{.touch_m = 1.0e-3, .tolerance_m = 1.0e-6};
+    const Pose start = Pose::at({0.2, 5.0e-4, 0.1});
+    // On, beside, and away again.
+    for (const Vector3& end : {Vector3(0.2, -1.0, 0.1), Vector3(0.3, 5.0e-4, 0.1),
+                               Vector3(0.2, 1.0, 0.1), start.position}) {
+        const InBetweenMotion motion(start, Pose::at(end));
+        const MovingTriangle moving = MovingTriangle::of(motion, kTip);
+        for (const TriangleSweep& told :
+             {sweep_triangles(motion, kFloor, moving, settings),
+              sweep_triangles_by_intervals(motion, kFloor, moving, settings, 0.0, 1.0)}) {
+            REQUIRE(told.outcome == SweepOutcome::touching);
+            CHECK(told.contact.time == 0.0);
+            CHECK(told.contact.features.distance_m == Approx(5.0e-4).epsilon(1.0e-9));
+            CHECK((told.contact.normal_A - Vector3::UnitY()).norm() < 1.0e-9);
+        }
     }
 }
 

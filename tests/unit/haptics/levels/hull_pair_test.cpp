@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <rapidcheck.h>
 #include <vector>
@@ -137,4 +138,38 @@ TEST_CASE("hull pair: corners of long, flat hulls are at no distance from them")
         CHECK(find_nearest_in_hull({.points = hull}, above).gap_m ==
               Approx(0.01).margin(kRounding_m));
     }
+}
+
+TEST_CASE("hull pair: where hulls meet, four points of their difference hold the origin") {
+    const std::vector<Vector3> box = make_box_corners({0.5, 0.3, 0.4});
+    Random random(7);
+    int n_held = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Pose X{0.7 * random.in_cube(), compute_exp(2.0 * random.in_cube())};
+        const HullPair found = find_pair(box, box, X);
+        if (!found.is_held) {
+            continue;
+        }
+        ++n_held;
+        REQUIRE(found.gap_m == 0.0);
+        Matrix3 edges;
+        for (std::size_t k = 0; k < 3; ++k) {
+            edges.col(static_cast<Eigen::Index>(k)) = found.held[k + 1] - found.held[0];
+        }
+        const Vector3 shares = edges.inverse() * -found.held[0];
+        REQUIRE(shares.minCoeff() > -1.0e-9);
+        REQUIRE(shares.sum() < 1.0 + 1.0e-9);
+        // Each is a corner of the one less a corner of the other.
+        for (const Vector3& way : found.held) {
+            double nearest_m = 1.0;
+            for (const Vector3& a : box) {
+                for (const Vector3& b : box) {
+                    nearest_m = std::min(nearest_m, (X * b - a - way).norm());
+                }
+            }
+            REQUIRE(nearest_m < 1.0e-12);
+        }
+    }
+    CHECK(n_held > 500);
+    CHECK_FALSE(find_pair(box, box, Pose::at({2.0, 0.0, 0.0})).is_held);
 }

@@ -152,3 +152,33 @@ TEST_CASE("level pairs: in free space nothing is told, whatever the budget") {
         }
     }
 }
+
+TEST_CASE(
+    "level pairs: what a budget cut short, while the tool went elsewhere and came back, is found "
+    "again as soon as there is time") {
+    constexpr double kNear_m = 5.0e-3;
+    const Levels levels = make_levels(make_bumpy_sphere(0.05, 12, 0.06, 60.0).value(), kNear_m);
+    const auto exact = make_pairs(levels, levels);
+    const auto hurried = make_pairs(levels, levels, {.now_s = &count_a_tick_s});
+    int n_near = 0;
+    for (int i = 0; i < 3000; ++i) {
+        // To and fro along the object, always near it somewhere.
+        const double along = 0.3 * std::sin(0.08 * i);
+        const double far_m = 0.1035 + 0.0008 * std::sin(0.56 * i);
+        const Pose X_OT{far_m * Vector3(std::sin(along), std::cos(along), 0.0),
+                        compute_exp(Vector3(0.0, 0.0, 0.3 * along))};
+        const bool has_time = i % 10 == 9;
+        hurried->set_budget_us(has_time ? 0.0 : 1.0 + i % 1000);
+        const LevelAnswer answer = hurried->find(X_OT, kNear_m);
+        if (!has_time) {
+            continue;
+        }
+        const LevelAnswer whole = exact->find(X_OT, kNear_m);
+        CAPTURE(i, whole.nearest_m, answer.nearest_m);
+        REQUIRE(hurried->contacts().empty() == exact->contacts().empty());
+        REQUIRE(std::min(answer.nearest_m, 1.0) ==
+                Approx(std::min(whole.nearest_m, 1.0)).margin(kRounding_m));
+        n_near += exact->contacts().empty() ? 0 : 1;
+    }
+    CHECK(n_near > 200);
+}

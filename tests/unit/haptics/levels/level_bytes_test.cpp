@@ -229,5 +229,41 @@ TEST_CASE("level bytes: hulls that leave out what lies below them are not those 
         decode_contact_levels(with_mended(linked, links_at - 4, std::int32_t{2147483647}), key));
 }
 
+TEST_CASE("level bytes: of a leaf that is another one again the mesh has the triangles no more") {
+    const TriangleMesh mesh = gear();
+    const Levels made = make_levels(mesh);
+    const Digest key = key_of_levels(mesh);
+    const Bytes bytes = encode(*made, key);
+    const std::size_t n_nodes = made->nodes().size();
+    const std::size_t nodes_at = kPayloadAt + kNodesAt;
+    const std::size_t spans_at = nodes_at + n_nodes * kNodeBytes;
+    // Siblings, so that their parent's hull holds either, of as many triangles.
+    const auto is_leaf = [&](std::int32_t node) { return made->node(node).n_children == 0; };
+    std::int32_t first = -1;
+    for (const LevelNode& parent : made->nodes()) {
+        for (std::int32_t k = 1; k < parent.n_children && first < 0; ++k) {
+            const std::int32_t a = parent.first_child + k - 1;
+            if (is_leaf(a) && is_leaf(a + 1) &&
+                made->triangles_of(a).size() == made->triangles_of(a + 1).size() &&
+                made->node(a).outside_m <= made->node(a + 1).outside_m) {
+                first = a;
+            }
+        }
+    }
+    REQUIRE(first >= 0);
+    const auto other = static_cast<std::size_t>(first) + 1;
+    Bytes changed = with_mended(bytes, nodes_at + other * kNodeBytes + 36, 1.0);  // its sphere
+    for (const std::size_t list : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+        const std::size_t at = spans_at + 8 * (list * n_nodes + other);
+        for (const std::size_t number : {std::size_t{0}, std::size_t{4}}) {
+            const auto own = number_at<std::int32_t>(bytes, at - 8 + number);
+            changed = with_mended(changed, at + number, own);
+        }
+    }
+    const auto back = decode_contact_levels(changed, key);
+    REQUIRE(back);
+    CHECK_FALSE(can_be_of(**back, mesh));
+}
+
 }  // namespace
 }  // namespace fulcrum

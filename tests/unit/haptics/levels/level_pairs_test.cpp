@@ -190,9 +190,12 @@ TEST_CASE(
         const LevelAnswer answer = pairs->find(X_OT, kWithin_m);
         RC_ASSERT(answer.error_m <= tolerance_m);
         RC_ASSERT(answer.n_coarser + answer.n_left == 0);
+        double most_m = 0.0;
         for (const LevelContact& contact : pairs->contacts()) {
             RC_ASSERT(contact.error_m <= tolerance_m);
+            most_m = std::max(most_m, contact.error_m);
         }
+        RC_ASSERT(answer.error_m == most_m);
         if (exact_m > kWithin_m + tolerance_m + kRounding_m) {
             RC_ASSERT(pairs->contacts().empty());
         } else if (exact_m < kWithin_m - kRounding_m) {
@@ -266,6 +269,28 @@ TEST_CASE("level pairs: what is kept from the last question changes no answer") 
     }
     CHECK(n_near > 50);
     CHECK(2 * n_kept < n_anew);
+}
+
+TEST_CASE("level pairs: what turns without going anywhere comes near by as much as its reach") {
+    constexpr double kNear_m = 5.0e-3;
+    const Levels block = make_levels(make_box({0.02, 0.02, 0.02}).value(), kNear_m);
+    const Levels bar = make_levels(make_box({0.2, 0.01, 0.01}).value(), kNear_m);
+    const auto kept = make_pairs(block, bar);
+    const auto anew = make_pairs(block, bar);
+    int n_near = 0;
+    for (int i = 0; i <= 120; ++i) {
+        // The bar's end comes to the block.
+        const Pose X_OT{{-0.11, 0.0, 0.0}, compute_exp(Vector3(0.0, 0.0, 1.2 - 0.01 * i))};
+        anew->clear();
+        const LevelAnswer of_kept = kept->find(X_OT, kNear_m);
+        const LevelAnswer of_anew = anew->find(X_OT, kNear_m);
+        CAPTURE(i);
+        REQUIRE(std::min(of_kept.nearest_m, 1.0) ==
+                Approx(std::min(of_anew.nearest_m, 1.0)).margin(1.0e-9));
+        n_near += anew->contacts().empty() ? 0 : 1;
+    }
+    CHECK(n_near > 5);
+    CHECK(n_near < 60);
 }
 
 TEST_CASE(

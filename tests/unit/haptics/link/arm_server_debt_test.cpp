@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstdint>
 
 using namespace fulcrum;
@@ -46,9 +47,33 @@ struct Unpaid {
         packet.command.wrench_D = wrench_D;
         packet.command.max_force_N = 10.0;
         packet.command.max_torque_Nm = 1.0;
+        packet.command.max_slew_N_per_s = 5000.0;
         PacketBytes bytes{};
         const std::size_t size = write_packet(packet, held.pair.seal, bytes);
         REQUIRE(held.pair.channel.end(0).send(held.pair.now_s, {}, std::span(bytes).first(size)));
+    }
+    // The hand goes at `speed` along x, or turns about it, for `seconds`; its arm shows that in steps of `seen`, in every so many rounds.
+    void run_seen(double seconds, const Wrench& wrench_D, double speed, double seen, int every) {
+        const bool turns = wrench_D.torque.squaredNorm() > 0.0;
+        double gone = 0.0;
+        double shown = 0.0;
+        for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep_s)); ++i) {
+            send(PacketKind::command, wrench_D);
+            gone += speed * kStep_s;
+            given_J += (turns ? held.hand.written_D.torque.x() : held.hand.written_D.force.x()) *
+                       speed * kStep_s;
+            if (i % every == 0) {
+                const double step = seen * std::floor((gone - shown) / seen);
+                shown += step;
+                if (turns) {
+                    held.hand.pose_D.orientation =
+                        compute_exp(step * Vector3::UnitX()) * held.hand.pose_D.orientation;
+                } else {
+                    held.hand.pose_D.position.x() += step;
+                }
+            }
+            held.run(1);
+        }
     }
     // In each round the hand has gone `way` and turned by `turn` under what was written last.
     void run(int n, const Wrench& wrench_D, const Vector3& way, const Vector3& turn) {
@@ -72,7 +97,8 @@ TEST_CASE("link: force and torque that nobody has paid for are left out along th
         CAPTURE(turns);
         Unpaid arm;
         const Vector3 x = Vector3::UnitX();
-        const Wrench wanted = turns ? Wrench{{}, kTorque_Nm * x} : Wrench{kForce_N * x, {}};
+        const Wrench wanted =
+            turns ? Wrench{Vector3::Zero(), kTorque_Nm * x} : Wrench{kForce_N * x, Vector3::Zero()};
         Wrench asked{Vector3::Zero(), Vector3::Zero()};
         (turns ? asked.torque : asked.force) = turns ? wanted.torque : wanted.force;
         const Vector3 way = turns ? Vector3(Vector3::Zero()) : Vector3(kSlow_m * x);
@@ -83,6 +109,43 @@ TEST_CASE("link: force and torque that nobody has paid for are left out along th
         CHECK(arm.given_J > 0.0);
         CHECK(arm.given_J < 2.5e-3);
     }
+}
+
+TEST_CASE("link: nor is it where an encoder or every second round shows the hand's way in steps") {
+    struct Seen {
+        double speed, step;  // metres, or radians for a torque
+        int every;
+        bool turns;
+    };
+    const double encoder_m = 5.5e-5;
+    for (const Seen& seen : {Seen{0.005, encoder_m, 1, false}, Seen{0.01, encoder_m, 1, false},
+                             Seen{0.02, encoder_m, 1, false}, Seen{0.1, encoder_m, 1, false},
+                             Seen{0.1, 1.0e-6, 2, false}, Seen{0.02, encoder_m, 2, false},
+                             Seen{0.2, 1.5e-3, 1, true}, Seen{1.0, 1.5e-3, 2, true}}) {
+        CAPTURE(seen.speed);
+        CAPTURE(seen.every);
+        CAPTURE(seen.turns);
+        Unpaid arm;
+        Wrench asked{Vector3::Zero(), Vector3::Zero()};
+        (seen.turns ? asked.torque : asked.force).x() = seen.turns ? kTorque_Nm : kForce_N;
+        arm.run(10, {}, Vector3::Zero(), Vector3::Zero());
+        arm.run_seen(2.0, asked, seen.speed, seen.step, seen.every);
+        // Without the balance 30 to 600 mJ, and as much where only the rounds that show motion are looked at. The brake may take
+        // more than was given, for what it takes counts by the lesser force: a drag of a tenth of a newton.
+        CHECK(arm.given_J > -0.1 * (seen.turns ? 0.1 : 1.0) * 2.0 * seen.speed);
+        CHECK(arm.given_J < 3.0e-3);
+    }
+}
+
+TEST_CASE("link: a hand that seems to rest is given one encoder's step at a time") {
+    Unpaid arm;
+    const Wrench asked{kForce_N * Vector3::UnitX(), Vector3::Zero()};
+    arm.run(10, {}, Vector3::Zero(), Vector3::Zero());
+    arm.run_seen(2.0, asked, 0.0005, 5.5e-5, 1);
+    CHECK(arm.given_J < 2.0 * kForce_N * 5.5e-5 / SeenWay::kRests_s);
+    // Where it rests it has the whole force.
+    arm.run_seen(0.2, asked, 0.0, 5.5e-5, 1);
+    CHECK(arm.held.hand.written_D.force.x() == Approx(kForce_N));
 }
 
 TEST_CASE(

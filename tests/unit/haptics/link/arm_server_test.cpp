@@ -58,7 +58,7 @@ TEST_CASE("link: a second program is told that the arm is taken, and disturbs no
     for (int i = 0; i < 500; ++i) {
         DeviceReading reading;
         CHECK_FALSE(second.read(held.pair.now_s, reading));
-        CHECK_FALSE(second.write(held.pair.now_s, {{-3.0, 0.0, 0.0}, {}}));
+        CHECK_FALSE(second.write(held.pair.now_s, {{-3.0, 0.0, 0.0}, Vector3::Zero()}));
         held.run(1);
         REQUIRE(held.hand.written_D.force.x() == Approx(3.0));
     }
@@ -101,6 +101,52 @@ TEST_CASE("link: the smaller of both sides' limits holds") {
     soft.wrench.force.x() = 9.0;
     soft.run(5000);
     CHECK(soft.hand.written_D.force.x() == Approx(1.5).epsilon(1e-9));
+}
+
+TEST_CASE("link: what a run tells of its limits holds, force and torque") {
+    Held held;
+    held.pair.device.tell_limits({.max_force_N = 1.5, .max_torque_Nm = 0.1});
+    REQUIRE(held.pair.link());
+    held.run(200);
+    held.wrench = {Vector3(9.0, 0.0, 0.0), Vector3(0.0, 0.9, 0.0)};
+    held.run(5000);
+    CHECK(held.hand.written_D.force.x() == Approx(1.5).epsilon(1e-9));
+    CHECK(held.hand.written_D.torque.y() == Approx(0.1).epsilon(1e-9));
+}
+
+TEST_CASE(
+    "link: force and torque change no faster than the program tells, nor than this side lets "
+    "them") {
+    // What changes by more in a round than this is too fast.
+    const auto find_largest = [](double own_N_per_s, double told_N_per_s, double told_N,
+                                 double told_Nm) {
+        ArmServerSettings own;
+        own.safety.max_slew_N_per_s = own_N_per_s;
+        Held held(
+            {}, own,
+            {.max_force_N = told_N, .max_torque_Nm = told_Nm, .max_slew_N_per_s = told_N_per_s});
+        held.engage();
+        Wrench largest{};
+        for (int i = 0; i < 400; ++i) {
+            const Wrench before = held.hand.written_D;
+            const double way = i < 200 ? -1.0 : 1.0;
+            held.wrench = {Vector3(3.0 * way, 0.0, 0.0), Vector3(0.0, 0.1 * way, 0.0)};
+            held.run(1);
+            largest.force.x() =
+                std::max(largest.force.x(), (held.hand.written_D.force - before.force).norm());
+            largest.torque.x() =
+                std::max(largest.torque.x(), (held.hand.written_D.torque - before.torque).norm());
+        }
+        CHECK(held.hand.written_D.force.x() == Approx(3.0));
+        CHECK(held.hand.written_D.torque.y() == Approx(0.1));
+        return largest;
+    };
+    const Wrench told = find_largest(5000.0, 100.0, 4.0, 0.2);
+    CHECK(told.force.x() == Approx(100.0 * kStep_s));
+    CHECK(told.torque.x() == Approx(100.0 * kStep_s * 0.2 / 4.0));
+    const Wrench own = find_largest(50.0, 1000.0, 4.0, 0.8);
+    CHECK(own.force.x() == Approx(50.0 * kStep_s));
+    CHECK(own.torque.x() == Approx(50.0 * kStep_s * 1.0 / 10.0));
 }
 
 TEST_CASE(

@@ -96,6 +96,7 @@ TEST_CASE("link: a command counts from the holder's session to this one alone") 
                        0};
         packet.command.wrench_D.force.x() = -3.0;
         packet.command.max_force_N = 10.0;
+        packet.command.max_slew_N_per_s = 500.0;
         PacketBytes bytes{};
         const std::size_t size = write_packet(packet, held.pair.seal, bytes);
         held.pair.channel.end(0).send(held.pair.now_s, {}, std::span(bytes).first(size));

@@ -31,6 +31,36 @@ TEST_CASE("energy balance: each side counts what it puts in, in closed form") {
     CHECK(arm.gave_J() == Approx(0.002).epsilon(1e-12));
 }
 
+TEST_CASE(
+    "energy balance: a motion that shows late was gone under the force since the last, or under "
+    "this one") {
+    // 3 mm in three rounds, which show in the last: at the mean of 5 N, for the last gave less, and at the last, for the mean gave less.
+    EnergyBalance falls(LinkSide::arm, kNoCredit);
+    falls.step(along(8.0), along(0.0), 0.0, kRound_s);
+    falls.step(along(6.0), along(0.0), 0.0, kRound_s);
+    falls.step(along(1.0), along(0.003), 0.0, kRound_s);
+    CHECK(falls.excess_J() == Approx(0.015).epsilon(1e-12));
+    falls.step(along(1.0), along(0.001), 0.0, kRound_s);
+    CHECK(falls.excess_J() == Approx(0.016).epsilon(1e-12));
+    EnergyBalance rises(LinkSide::arm, kNoCredit);
+    rises.step(along(1.0), along(0.0), 0.0, kRound_s);
+    rises.step(along(2.0), along(0.003), 0.0, kRound_s);
+    CHECK(rises.excess_J() == Approx(0.006).epsilon(1e-12));
+    // What is put in counts by the lesser.
+    EnergyBalance pressed(LinkSide::arm, kNoCredit);
+    pressed.step(along(1.0), along(0.0), 0.0, kRound_s);
+    pressed.step(along(3.0), along(-0.001), 0.0, kRound_s);
+    CHECK(pressed.gave_J() == Approx(0.002).epsilon(1e-12));
+    // What was longer ago than 50 ms fades.
+    EnergyBalance rested(LinkSide::arm, kNoCredit);
+    for (int i = 0; i < 500; ++i) {
+        rested.step(along(i < 250 ? 100.0 : 1.0), along(0.0), 0.0, kRound_s);
+    }
+    rested.step(along(1.0), along(0.001), 0.0, kRound_s);
+    CHECK(rested.excess_J() >= 0.001);
+    CHECK(rested.excess_J() < 0.0017);
+}
+
 TEST_CASE("energy balance: what was put in on the other side may come out, and no more") {
     EnergyBalance arm(LinkSide::arm, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
     arm.step(along(1.0), along(0.003), 0.004, kRound_s);  // 3 mJ out for 4 in
@@ -184,6 +214,28 @@ TEST_CASE("energy balance: what is not finite and sums that shrink are not count
     arm.step(Vector3::Zero(), Vector3::Zero(), 0.0, kRound_s);
     arm.step(along(1.0), along(0.1), 0.5, kRound_s);
     CHECK(arm.excess_J() == Approx(0.1).epsilon(1e-3));
+}
+
+TEST_CASE("energy balance: a new session begins with no sums, no debt and no force of before") {
+    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    arm.step(along(2.0), along(-0.001), 0.0, kRound_s);  // puts in
+    arm.step(along(2.0), along(0.002), 5.0, kRound_s);
+    arm.step(along(2.0), along(3.0), 5.0, kRound_s);  // in debt
+    arm.step(along(100.0), along(0.0), 5.0, kRound_s);
+    REQUIRE(arm.gave_J() > 0.0);
+    REQUIRE(arm.excess_J() > 0.5);
+    arm.reset();
+    CHECK(arm.gave_J() == 0.0);
+    CHECK(arm.excess_J() == 0.0);
+    // The other side's sum begins at 0 too, and what it says now is news.
+    arm.step(along(1.0), along(0.001), 0.003, kRound_s);
+    CHECK(arm.excess_J() == 0.0);
+    // At this round's force alone.
+    arm.reset();
+    arm.step(along(100.0), along(0.0), 0.0, kRound_s);
+    arm.reset();
+    arm.step(along(1.0), along(0.001), 0.0, kRound_s);
+    CHECK(arm.excess_J() == Approx(0.001).epsilon(1e-12));
 }
 
 TEST_CASE("energy balance: settings out of range are refused") {

@@ -306,10 +306,10 @@ TEST_CASE("link: a wrench that is no number is not sent") {
     held.engage();
     held.pair.tap.keeps = true;
     for (const double bad : {std::nan(""), HUGE_VAL}) {
-        CHECK_FALSE(
-            held.pair.device.write(held.pair.now_s + kStep_s, {Vector3(0.0, bad, 0.0), {}}));
-        CHECK_FALSE(
-            held.pair.device.write(held.pair.now_s + kStep_s, {{}, Vector3(bad, 0.0, 0.0)}));
+        CHECK_FALSE(held.pair.device.write(held.pair.now_s + kStep_s,
+                                           {Vector3(0.0, bad, 0.0), Vector3::Zero()}));
+        CHECK_FALSE(held.pair.device.write(held.pair.now_s + kStep_s,
+                                           {Vector3::Zero(), Vector3(bad, 0.0, 0.0)}));
     }
     CHECK(held.pair.tap.sent.empty());
 }

@@ -7,6 +7,7 @@ using test_link::ArmRounds;
 using test_link::LinkCourse;
 using test_link::LinkTrial;
 using test_link::run_link_trial;
+using test_link::with_slow_presses;
 
 namespace {
 
@@ -57,7 +58,11 @@ TEST_CASE("link energy: what is calm without the balance keeps its force with it
         const LinkCourse course = run_link_trial(trial);
         INFO("delay " << delay_s);
         REQUIRE(course.is_calm());
-        CHECK(-course.force_N == Approx(resting_force_N(trial)).epsilon(0.01));
+        // An encoder whose last step comes and goes spends at rest what fades: 2.9 % of the force with steps of 55 um, 0.01 % without any.
+        CHECK(-course.force_N == Approx(resting_force_N(trial)).epsilon(0.035));
+        LinkTrial fine = trial;
+        fine.arm.position_resolution_m = 0.0;
+        CHECK(-run_link_trial(fine).force_N == Approx(resting_force_N(fine)).epsilon(0.001));
     }
 }
 
@@ -122,6 +127,28 @@ TEST_CASE("link energy: the brake stays below the least limit, and its debt is p
             CHECK(course.peak_N > 0.99 * limit_N);
             CHECK(course.peak_debt_J > 2.0e-4);
             CHECK(course.least_later_J == 0.0);
+        }
+    }
+}
+
+TEST_CASE(
+    "link energy: slow presses give the hand no more than what is lent, and little at a time") {
+    for (const double stiffness : {500.0, 1000.0}) {
+        for (const double delay_s : {0.0, 0.01, 0.02, 0.05, 0.095}) {
+            const LinkTrial trial = with_slow_presses(
+                {.stiffness_N_per_m = stiffness, .faults = {.delay_s = delay_s}}, 3);
+            const LinkCourse course = run_link_trial(trial);
+            INFO(stiffness << " N/m, " << delay_s << " s: net " << course.net_J << " J, debt "
+                           << course.peak_debt_J << " J");
+            REQUIRE(course.linked);
+            CHECK(course.trips == 0);
+            CHECK(course.peak_debt_J < 2.0e-3);
+            // Half of it: what brakes takes some.
+            CHECK(course.net_J < 0.5 * trial.energy.lent_W * trial.seconds);
+            CHECK(course.net_J > (delay_s < 0.05 ? -1.0e-3 : 5.0e-4));
+            if (delay_s == 0.0) {
+                CHECK(course.net_J < 5.0e-4);
+            }
         }
     }
 }

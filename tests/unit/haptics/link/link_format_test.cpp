@@ -39,6 +39,7 @@ LinkPacket make_packet(PacketKind kind) {
     packet.command.wrench_D = {{1.0, 2.0, -3.0}, {0.1, -0.2, 0.3}};
     packet.command.max_force_N = 5.0;
     packet.command.max_torque_Nm = 0.3;
+    packet.command.max_slew_N_per_s = 400.0;
     packet.command.given = {2.5, 0.25};
     return packet;
 }
@@ -59,7 +60,7 @@ TEST_CASE("link format: sizes are those of the description") {
     CHECK(packet_size(PacketKind::hello) == 92);
     CHECK(packet_size(PacketKind::welcome) == 200);
     CHECK(packet_size(PacketKind::state) == 280);
-    CHECK(packet_size(PacketKind::command) == 172);
+    CHECK(packet_size(PacketKind::command) == 180);
     CHECK(packet_size(PacketKind::bye) == 92);
     CHECK(packet_size(static_cast<PacketKind>(0)) == 0);
     CHECK(packet_size(static_cast<PacketKind>(6)) == 0);
@@ -111,6 +112,7 @@ TEST_CASE("link format: what is written is read") {
             CHECK(same(read.command.wrench_D, sent.command.wrench_D));
             CHECK(read.command.max_force_N == 5.0);
             CHECK(read.command.max_torque_Nm == 0.3);
+            CHECK(read.command.max_slew_N_per_s == 400.0);
             CHECK(read.command.given.force_J == 2.5);
             CHECK(read.command.given.torque_J == 0.25);
         }
@@ -124,7 +126,7 @@ TEST_CASE("link format: the bytes are where the description says, little-endian"
     const auto at = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
     CHECK(at(0) == 'F');
     CHECK(at(3) == 'K');
-    CHECK(at(4) == 1);
+    CHECK(at(4) == 2);
     CHECK(at(5) == 0);
     CHECK(at(6) == 4);
     CHECK(at(7) == 0);
@@ -211,10 +213,15 @@ TEST_CASE("link format: who has the key may not say what cannot be") {
         CHECK(why(PacketKind::command, [&](P p) { p.command.wrench_D.torque.x() = bad; }) ==
               absurd);
         CHECK(why(PacketKind::command, [&](P p) { p.command.max_force_N = bad; }) == absurd);
+        CHECK(why(PacketKind::command, [&](P p) { p.command.max_slew_N_per_s = bad; }) == absurd);
         CHECK(why(PacketKind::command, [&](P p) { p.command.given.torque_J = bad; }) == absurd);
         CHECK(why(PacketKind::welcome, [&](P p) { p.traits.max_force_N = bad; }) == absurd);
         CHECK(why(PacketKind::welcome, [&](P p) { p.traits.reach_m.z() = bad; }) == absurd);
     }
+    // A force that may not change could not go.
+    CHECK(why(PacketKind::command, [](P p) { p.command.max_slew_N_per_s = 0.0; }) == absurd);
+    CHECK(why(PacketKind::command, [](P p) { p.command.max_slew_N_per_s = kLeastSlew_N_per_s; }) ==
+          Refusal::none);
     CHECK(why(PacketKind::state, [](P p) { p.state.pose_D.orientation.coeffs() *= 1.01; }) ==
           absurd);
     CHECK(why(PacketKind::state, [](P p) { p.state.gate = static_cast<GatePhase>(5); }) == absurd);

@@ -40,13 +40,14 @@ class Hole final : public Datagrams {
     Datagrams& inner_;
 };
 
-// Both sides at one rate, and a program that asks for 3 N.
+// Both sides at one rate, or an arm that has a round in `every` of the program's, and a program that asks for 3 N.
 struct Rated {
-    explicit Rated(double rate_Hz, const LinkFaults& faults = {})
+    explicit Rated(double rate_Hz, const LinkFaults& faults = {}, int every = 1)
         : step_s(1.0 / rate_Hz),
+          arm_every(every),
           faulty(faults, channel.end(0)),
           hole(faulty),
-          server({.rate_Hz = rate_Hz}, hand, channel.end(1), seal, arm_numbers),
+          server({.rate_Hz = rate_Hz / every}, hand, channel.end(1), seal, arm_numbers),
           device({}, hole, seal, program_numbers) {
         for (int i = 0; i < 4000 && !device.status().linked; ++i) {
             step();
@@ -59,7 +60,9 @@ struct Rated {
     }
     void step() {
         now_s += step_s;
-        server.step(now_s);
+        if (++n_steps % arm_every == 0) {
+            server.step(now_s);
+        }
         DeviceReading reading;
         const bool reads = device.read(now_s, reading);
         // As the haptic loop judges it.
@@ -75,6 +78,8 @@ struct Rated {
     }
 
     double step_s;
+    int arm_every;
+    int n_steps = 0;
     double now_s = 0.0;
     ScriptedDevice hand;
     HmacSeal seal;
@@ -111,6 +116,46 @@ TEST_CASE("link loss: nineteen in a row are borne and twenty trip, at 1 and 2 kH
                 CHECK(back.hole.loses_in == 0);
             }
         }
+    }
+}
+
+TEST_CASE("link loss: at 500 Hz ten in a row are more than 20 ms, and trip, either way") {
+    for (int phase = 0; phase < 7; ++phase) {
+        for (const int n : {1, 8, 10, 11}) {
+            CAPTURE(phase, n);
+            const bool trips = n >= 10;
+            Rated there(500.0);
+            there.run(0.0137 * phase);
+            there.hole.loses_out = n;
+            there.run(0.2);
+            CHECK(there.server.status().trips == (trips ? 1 : 0));
+            // The program looks at its own rate, which is 1 kHz.
+            Rated back(1000.0, {}, 2);
+            back.run(0.0137 * phase);
+            back.hole.loses_in = n;
+            back.run(0.2);
+            CHECK((back.n_stale > 0) == trips);
+        }
+    }
+}
+
+TEST_CASE(
+    "link loss: an arm at 500 Hz bears ten commands of a program at 1 kHz, and eight of its "
+    "states") {
+    for (int phase = 0; phase < 7; ++phase) {
+        for (const int n : {8, 10, 18, 21, 30}) {
+            CAPTURE(phase, n);
+            Rated there(1000.0, {}, 2);
+            there.run(0.0137 * phase);
+            there.hole.loses_out = n;
+            there.run(0.2);
+            CHECK(there.server.status().trips == (n >= 20 ? 1 : 0));
+        }
+        Rated back(1000.0, {}, 2);
+        back.run(0.0137 * phase);
+        back.hole.loses_in = 8;
+        back.run(0.2);
+        CHECK(back.n_stale == 0);
     }
 }
 

@@ -41,6 +41,7 @@ TEST_CASE(
                     PacketKind::command, 1000, 2000, 1'000'000'000 + random() % 1000, 1, 0, 0};
                 forged.command.wrench_D.force = {-10.0, 0.0, 0.0};
                 forged.command.max_force_N = 10.0;
+                forged.command.max_slew_N_per_s = 500.0;
                 PacketBytes bytes{};
                 const std::size_t size = write_packet(forged, other, bytes);
                 packet.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));

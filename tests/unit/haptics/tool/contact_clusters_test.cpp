@@ -285,3 +285,56 @@ TEST_CASE("contact clusters: what weighs nothing or is no number changes nothing
         }
     }
 }
+
+TEST_CASE(
+    "contact clusters: what has begun to end goes on until it has parted by more than it came "
+    "together by") {
+    ContactClusterSettings slow = kPlain;
+    slow.fade_s = 1.0;
+    ContactClusters clusters(slow);
+    double strength = 1.0;  // of the younger one
+    const auto look = [&](double apart_m) {
+        const std::vector<NearContact> near{at(0.0, 0.0, 0.0005), at(apart_m, 0.0, 0.0005)};
+        clusters.update(near, {}, kDt_s);
+        REQUIRE(clusters.all().size() == 2);
+        const double before = strength;
+        strength = clusters.all()[1].strength;
+        return strength - before;
+    };
+    const auto find_apart = [&] {
+        const double apart_m = (clusters.all()[1].point_T - clusters.all()[0].point_T).norm();
+        return apart_m * apart_m / (clusters.radius_m() * clusters.radius_m());
+    };
+    for (int i = 0; i < 50; ++i) {
+        (void)look(0.015);
+    }
+    CHECK(strength == 1.0);
+    double apart_m = 0.015;
+    while (look(apart_m) >= 0.0) {
+        apart_m -= 2.0e-5;
+        REQUIRE(apart_m > 0.0);
+    }
+    CHECK(find_apart() < 0.25);
+    CHECK(find_apart() > 0.2);
+    while (look(apart_m) < 0.0) {
+        apart_m += 2.0e-5;
+        REQUIRE(apart_m < 0.02);
+    }
+    CHECK(find_apart() >= 0.36);
+    CHECK(find_apart() < 0.42);
+}
+
+TEST_CASE("contact clusters: where all are in use nothing joins one that looks the other way") {
+    ContactClusterSettings one = kPlain;
+    one.most = 1;
+    ContactClusters clusters(one);
+    const std::vector<NearContact> near{at(0.0, 0.0, 0.001),
+                                        at(0.002, 0.0, 0.0008, -Vector3::UnitY())};
+    for (int i = 0; i < 20; ++i) {
+        clusters.update(near, {}, kDt_s);
+        REQUIRE(clusters.all().size() == 1);
+        CHECK(clusters.all().front().point_T.norm() < kRounding);
+        CHECK(clusters.all().front().depth_m == Approx(0.001).epsilon(kRounding));
+        CHECK((clusters.all().front().normal_O - Vector3::UnitY()).norm() < kRounding);
+    }
+}

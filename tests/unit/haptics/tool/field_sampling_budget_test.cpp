@@ -49,6 +49,12 @@ FieldSampler make(const FieldSampler::Field& field, const FieldSampler::Shell& s
         .value();
 }
 
+// A clock on which a microsecond goes by from one look to the next.
+double count_a_microsecond_s() noexcept {
+    static double now_s = 0.0;
+    return now_s += 1.0e-6;
+}
+
 // Derivatives of a leaf count as sixteen, by slopes as four.
 double cost_us(const FieldTouch& touch, std::int64_t slopes_leaves = 16) {
     return static_cast<double>(touch.n_leaves + slopes_leaves * touch.n_sloped) * kLeaf_us +
@@ -284,27 +290,29 @@ TEST_CASE("field sampling budget: derivatives have their part of it, and stand f
 }
 
 TEST_CASE("field sampling budget: a cost thought far too high comes down by itself") {
-    FieldSampler wary =
-        FieldSampler::build(bumpy(), ball(), {.budget_us = 50.0, .leaf_us = 10.0}).value();
-    FieldSampler never =
-        FieldSampler::build(bumpy(), ball(), {.budget_us = 9.0, .leaf_us = 10.0}).value();
-    // However fast the machine is, soon as many fit as for one that begins with too low a cost.
-    FieldSampler eager =
-        FieldSampler::build(bumpy(), ball(), {.budget_us = 50.0, .leaf_us = 0.1}).value();
+    const auto make_thinking = [](double leaf_us, double budget_us) {
+        return FieldSampler::build(
+                   bumpy(), ball(),
+                   {.budget_us = budget_us, .leaf_us = leaf_us, .now_s = &count_a_microsecond_s})
+            .value();
+    };
+    FieldSampler wary = make_thinking(10.0, 50.0);
+    FieldSampler never = make_thinking(10.0, 9.0);
+    FieldSampler eager = make_thinking(0.1, 50.0);
     const Pose X_WT = Pose::at({0.05, 0.01, 0.0});
     std::int64_t n_wary = 0;
     std::int64_t n_eager = 0;
     std::int64_t n_never = 0;
     for (int i = 0; i < 400; ++i) {
-        n_wary = std::max(n_wary, wary.step({}, X_WT).n_leaves);
-        const std::int64_t n = eager.step({}, X_WT).n_leaves;
-        n_eager = i < 300 ? 0 : std::max(n_eager, n);  // the first steps overrun
+        n_wary = wary.step({}, X_WT).n_leaves;
+        n_eager = eager.step({}, X_WT).n_leaves;
         n_never = std::max(n_never, never.step({}, X_WT).n_leaves);
     }
+    CAPTURE(n_wary, n_eager, n_never);
     CHECK(n_eager > 0);
-    CHECK(4 * n_wary > n_eager);
-    // Where ten fit into 50 us, one fits into 9.
-    CHECK((n_never > 0 || n_eager < 10));
+    CHECK(10 * n_wary > 9 * n_eager);
+    // Not even one leaf fits, as long as it is thought to cost that much.
+    CHECK(n_never > 0);
 }
 
 TEST_CASE("field sampling budget: the bound holds for what is deeper than the band as well") {

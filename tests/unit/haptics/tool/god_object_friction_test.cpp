@@ -123,7 +123,7 @@ TEST_CASE(
             kExact_N);
         CHECK(felt.felt_W.torque.norm() < kExact_N);
         CHECK((tool.touches()[0].wrench_W.force - felt.felt_W.force).norm() < kExact_N);
-        REQUIRE_FALSE(test::do_cross(floor, {}, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(floor, {}, cube, tool.pose_W()));
     }
     // It comes to rest as far behind as friction holds, and lifted nothing is left of it.
     const Vector3 end = start + 0.05 * along;
@@ -184,7 +184,7 @@ TEST_CASE(
         // Each wall's friction holds it where it came to rest, a hundredth of the gap from the other.
         CHECK((felt.felt_W.force - expected).norm() < (aside_m > most_m ? kExact_N : 1.0e-5));
         CHECK(felt.felt_W.torque.norm() < kExact_N);
-        REQUIRE_FALSE(test::do_cross(object, {}, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(object, {}, cube, tool.pose_W()));
     }
 }
 
@@ -257,7 +257,7 @@ TEST_CASE("god-object friction: a floor that moves carries what is pressed on it
         CHECK(felt.felt_W.force.x() ==
               Approx(kStiffness * carried_m).margin(breaks_away ? 0.01 : 2.0e-6));
         CHECK(tool.centre_W().x() == Approx(carried_m).margin(breaks_away ? 2.0e-5 : 1.0e-8));
-        REQUIRE_FALSE(test::do_cross(floor, floor_W, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(floor, floor_W, cube, tool.pose_W()));
     }
 }
 
@@ -285,7 +285,7 @@ TEST_CASE(
         CAPTURE(mu, i, tool.last_step().rounds, tool.last_step().contacts);
         // But for contacts that it was stopped nearer to than it rests.
         CHECK(compute_stretch(tool, handle) <= before * (1.0 + 1.0e-3) + 1.0e-9);
-        REQUIRE_FALSE(test::do_cross(block, object_W, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(block, object_W, cube, tool.pose_W()));
     }
     CHECK(n_touching > 300);
 }

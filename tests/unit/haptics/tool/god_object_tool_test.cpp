@@ -120,7 +120,7 @@ TEST_CASE(
         const Vector3 free = 0.5 * (handle.position - before);
         CHECK(std::abs(gone.x() - free.x()) + std::abs(gone.z() - free.z()) < 1.0e-9);
         CHECK(std::abs(tool.centre_W().y() - rest_m) < 1.0e-10);
-        REQUIRE_FALSE(test::do_cross(floor, {}, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(floor, {}, cube, tool.pose_W()));
     }
 }
 
@@ -181,7 +181,7 @@ TEST_CASE(
         CHECK((felt.felt_W.force - kStiffness * at_surface).norm() <=
               find_wall_error_N(test::make_god_settings(kCube)) / std::sqrt(0.5) * (1.0 + 1.0e-6));
         CHECK(felt.felt_W.torque.norm() < kExact_N);
-        REQUIRE_FALSE(test::do_cross(corner, {}, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(corner, {}, cube, tool.pose_W()));
     }
 }
 
@@ -219,7 +219,7 @@ TEST_CASE(
             const Vector3 free = 0.5 * (handle.position - before);
             CHECK((tool.centre_W() - before - free).tail<2>().norm() < 1.0e-9);
         }
-        REQUIRE_FALSE(test::do_cross(slot, {}, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(slot, {}, cube, tool.pose_W()));
     }
     // Held on one side, until that is blended in, and drawn along: its force alone.
     (void)move_to(tool, Pose::at({0.003, 0.0, 0.05}), kBlended);
@@ -257,7 +257,7 @@ TEST_CASE("god-object tool: no motion by chance brings it into a block, whatever
         n_touching += tool.touches()[0].touches ? 1 : 0;
         CAPTURE(i, tool.last_step().rounds, tool.last_step().contacts,
                 tool.last_step().least_gap_m);
-        REQUIRE_FALSE(test::do_cross(block, object_W, cube, tool.pose_W()));
+        REQUIRE_FALSE(test::do_enter(block, object_W, cube, tool.pose_W()));
         REQUIRE(tool.last_step().least_gap_m > kGap_m / 300.0);
     }
     CHECK(n_touching > 500);
@@ -289,7 +289,7 @@ TEST_CASE(
         REQUIRE(felt.moved);
         REQUIRE(fast.last_step().rounds <= 1);
         n_cut += felt.effort.in_time ? 0 : 1;
-        REQUIRE_FALSE(test::do_cross(floor, {}, cube, fast.pose_W()));
+        REQUIRE_FALSE(test::do_enter(floor, {}, cube, fast.pose_W()));
     }
     CHECK(n_cut > 20);
     CHECK((fast.centre_W() - slow.centre_W()).norm() < 1.0e-6);
@@ -312,6 +312,42 @@ TEST_CASE("god-object tool: a handle that is no number leaves it standing, with 
     // It goes on afterwards as if nothing had been.
     CHECK(move_to(tool, Pose::at({0.0, 0.01, 0.0})).felt_W.force.y() ==
           Approx(kStiffness * 0.010001));
+}
+
+TEST_CASE(
+    "god-object tool: as far out as places are, with the least gap, nothing crosses; beyond, "
+    "nothing moves") {
+    const TriangleMesh floor = make_floor();
+    const TriangleMesh cube = make_cube();
+    GodObjectSettings settings = test::make_god_settings(kCube);
+    settings.gap_m = GENERATE(1.0e-8, 1.0e-6);
+    GodObjectTool tool = test::make_god_tool(cube, {floor}, settings);
+    // Whatever its turn, the tool stays within the last place.
+    constexpr double kFarthest_m = 2.0e4;
+    const Vector3 origin = Vector3::Constant(kFarthest_m - 1.0);
+    Random random(29);
+    const Pose object{origin, random.turn(M_PI)};
+    const auto at = [&](const Vector3& above, const Vector3& turn) {
+        return object * Pose{above, compute_exp(turn)};
+    };
+    tool.place(at({0.0, 0.05, 0.0}, Vector3::Zero()));
+    Vector3 turn = Vector3::Zero();
+    int n_touching = 0;
+    for (int i = 0; i < 400; ++i) {
+        turn = 0.95 * turn + 0.05 * random.in_cube();
+        const Vector3 above(0.05 * std::sin(0.02 * i), 0.02 + 0.01 * std::sin(0.05 * i), 0.0);
+        const ToolFelt felt = move_to(tool, at(above, turn), 1, object);
+        REQUIRE(felt.moved);
+        n_touching += tool.touches()[0].touches ? 1 : 0;
+        REQUIRE_FALSE(test::do_cross(floor, tool.object_W(0), cube, tool.pose_W()));
+    }
+    CHECK(n_touching > 100);
+    const Pose beyond = Pose::at(Vector3(1.001 * kFarthest_m, 0.0, 0.0));
+    CHECK_FALSE(move_to(tool, beyond, 1, object).moved);
+    CHECK_FALSE(move_to(tool, object, 1, beyond).moved);
+    CHECK(is_place(Pose::at({-kFarthest_m, 0.0, 0.0})));
+    settings.gap_m = 0.99e-8;
+    CHECK_FALSE(validate(settings).has_value());
 }
 
 TEST_CASE("god-object tool: it is free beside a block, not on it, in it or around it") {

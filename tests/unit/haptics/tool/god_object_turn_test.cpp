@@ -37,7 +37,7 @@ bool comes_inside(const Vector3& size, double mass_kg, double deep_m, double fri
         const double share = std::min(1.0, i / 100.0);
         const Pose handle{share * at + (1.0 - share) * above, compute_exp(axis * spin * s)};
         (void)god.move({handle, {}}, {&object, 1}, 0.0, test::kGodDt_s);
-        if (test::do_cross(block, {}, bar, god.pose_W())) {
+        if (test::do_enter(block, {}, bar, god.pose_W())) {
             return true;
         }
     }

@@ -244,5 +244,31 @@ TEST_CASE("god pair: whether something is within a distance is told as brute for
     CHECK(pair.has_within(Pose::at({nan, 0.0, 0.0}), 1.0e-3));
 }
 
+TEST_CASE("god pair: put elsewhere it goes as one that is new, to the bit") {
+    const TriangleMesh object = make_bumpy_sphere(0.05, 6, 0.15, 90.0).value();
+    const TriangleMesh tool = make_bumpy_sphere(0.03, 5, 0.2, 120.0).value();
+    GodPair pair = make_pair(object, tool);
+    Random random(11);
+    Pose at = Pose::at({0.0, 0.1, 0.0});
+    int n_cut = 0;
+    for (int i = 0; i < 120; ++i) {
+        const Pose to{at.position + 0.02 * random.in_cube() - 0.05 * at.position,
+                      (compute_exp(0.2 * random.in_cube()) * at.orientation).normalized()};
+        GodPair fresh = make_pair(object, tool);
+        pair.forget();
+        const double free = pair.find_free_share(at, to, kTouch_m);
+        CAPTURE(i);
+        REQUIRE(free == fresh.find_free_share(at, to, kTouch_m));
+        REQUIRE(pair.is_cut() == fresh.is_cut());
+        n_cut += pair.is_cut() ? 1 : 0;
+        pair.collect(at, 1.0e-4);
+        // Short ways, of which what is usual is learnt.
+        const Pose near_by{at.position + 1.0e-4 * random.in_cube(), at.orientation};
+        (void)pair.find_free_share(at, near_by, kTouch_m);
+        at = free == 1.0 ? to : InBetweenMotion(at, to).pose(0.9 * free);
+    }
+    CHECK(n_cut > 3);
+}
+
 }  // namespace
 }  // namespace fulcrum

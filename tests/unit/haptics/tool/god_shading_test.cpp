@@ -149,7 +149,7 @@ TEST_CASE("god shading: the tool goes the same way to the bit, and enters nothin
         const ToolFelt b = plain.move({handle, {}}, {&kHeld, 1}, 0.0, kGodDt_s);
         REQUIRE(shaded.pose_W().position == plain.pose_W().position);
         REQUIRE(shaded.pose_W().orientation.coeffs() == plain.pose_W().orientation.coeffs());
-        REQUIRE_FALSE(test::do_cross(ball, {}, cube, shaded.pose_W()));
+        REQUIRE_FALSE(test::do_enter(ball, {}, cube, shaded.pose_W()));
         // Nothing is felt where nothing touches.
         REQUIRE((a.felt_W.force.norm() > 0.0) == (b.felt_W.force.norm() > 0.0));
         most_N = std::max(most_N, b.felt_W.force.norm());
@@ -204,6 +204,34 @@ TEST_CASE("god shading: an edge is even where both its triangles agree") {
         }
     }
     CHECK(n_even > 48);
+    CHECK(n_crease == 96);
+}
+
+TEST_CASE(
+    "god shading: on an edge of the tool that is a crease the line between the features holds") {
+    const TriangleMesh cylinder = make_cylinder(0.02, 0.1, 24).value();
+    const auto shading = shade(cylinder, 30.0);
+    int n_crease = 0;
+    for (std::int32_t t = 0; t < shading->n_triangles(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto p = [&](std::size_t corner) {
+                const TriangleCorners& of = cylinder.triangles()[static_cast<std::size_t>(t)];
+                return cylinder.vertices_B()[static_cast<std::size_t>(of[corner % 3])];
+            };
+            const Vector3 normal = (p(1) - p(0)).cross(p(2) - p(0)).normalized();
+            GodContact contact;
+            contact.pair = FeaturePair::edge_edge;
+            contact.tool_triangle = t;
+            contact.tool_feature = static_cast<std::uint8_t>(k);
+            contact.on_tool_O = 0.5 * (p(k) + p(k + 1));
+            contact.normal_O = -(compute_exp(Vector3(0.15, 0.1, -0.05)) * normal);
+            const Vector3 felt = find_felt_normal_O(nullptr, shading.get(), contact, {});
+            const bool even = shading->is_even(t, k);
+            CAPTURE(t, k, even);
+            CHECK((felt == contact.normal_O) == !even);
+            n_crease += even ? 0 : 1;
+        }
+    }
     CHECK(n_crease == 96);
 }
 

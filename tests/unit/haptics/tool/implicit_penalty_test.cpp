@@ -201,6 +201,44 @@ TEST_CASE(
     CHECK(*std::ranges::max_element(depths_m) - *std::ranges::min_element(depths_m) < 1.0e-6);
 }
 
+TEST_CASE(
+    "implicit penalty: a hand that swings to where something is near and away again, without "
+    "touching, feels the tool's mass come and go bit by bit, and nothing in free space") {
+    ImplicitPenaltyPlan plan = make_plan();
+    plan.settings.clusters.within_m = 4.0e-3;
+    auto tool = make_tool(plan, 0.03);
+    // 20 m/s^2 where it turns, 3.7 mm over the table: 0.2 N by 10 g.
+    constexpr double kRate_per_s = 60.0;
+    constexpr double kSwing_m = 20.0 / (kRate_per_s * kRate_per_s);
+    Vector3 before_N = Vector3::Zero();
+    double most_N = 0.0;
+    double most_step_N = 0.0;
+    int n_silent = 0;
+    for (int i = 1; i <= 1000; ++i) {
+        const double t_s = i * kDt_s;
+        const double phase = kRate_per_s * t_s;
+        const MovingFrame hand{
+            Pose::at({0.0, 0.0187 + kSwing_m * (1.0 + std::cos(phase)), 0.0}),
+            {{0.0, -kSwing_m * kRate_per_s * std::sin(phase), 0.0}, Vector3::Zero()}};
+        const ToolFelt felt = tool.move(hand, {&kTable, 1}, t_s, kDt_s);
+        REQUIRE_FALSE(tool.touches()[0].touches);
+        // Clusters fade for a while, and then the mass.
+        if (std::cos(phase) > 0.5) {
+            CAPTURE(i, phase);
+            REQUIRE(felt.felt_W.force == Vector3::Zero());
+            REQUIRE(felt.felt_W.torque == Vector3::Zero());
+            REQUIRE(felt.spring_energy_J == 0.0);
+            ++n_silent;
+        }
+        most_N = std::max(most_N, felt.felt_W.force.norm());
+        most_step_N = std::max(most_step_N, (felt.felt_W.force - before_N).norm());
+        before_N = felt.felt_W.force;
+    }
+    CHECK(n_silent > 300);
+    CHECK(most_N > 0.15);
+    CHECK(most_step_N < 0.06);
+}
+
 TEST_CASE("implicit penalty: in free space nothing is felt, or, if asked for, the tool's mass") {
     auto silent = make_tool(make_plan(), 0.3);
     ImplicitPenaltyPlan plan = make_plan();
@@ -210,7 +248,8 @@ TEST_CASE("implicit penalty: in free space nothing is felt, or, if asked for, th
     ToolFelt felt;
     for (int i = 1; i <= 300; ++i) {
         const double t_s = i * kDt_s;
-        const MovingFrame hand{Pose::at({5.0 * t_s * t_s, 0.3, 0.0}), {{10.0 * t_s, 0.0, 0.0}, {}}};
+        const MovingFrame hand{Pose::at({5.0 * t_s * t_s, 0.3, 0.0}),
+                               {{10.0 * t_s, 0.0, 0.0}, Vector3::Zero()}};
         const ToolFelt nothing = silent.move(hand, {&kTable, 1}, t_s, kDt_s);
         CHECK(nothing.felt_W.force == Vector3::Zero());
         CHECK(nothing.felt_W.torque == Vector3::Zero());

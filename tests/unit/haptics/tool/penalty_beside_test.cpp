@@ -1,10 +1,12 @@
 // The implicit penalty's contact rounds beside its steps, by turns in one thread: as in line when they keep pace, and what is felt when they do not.
+#include "tests/support/silent_contacts.h"
 #include "tests/support/tool_scene.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 using namespace fulcrum;
@@ -95,37 +97,94 @@ TEST_CASE(
     "when they begin "
     "again it comes back as evenly") {
     auto tool = ImplicitPenaltyTool::build(make_plan(true)).value();
-    const ContactAgeSettings age = tool.settings().age;
-    const MovingFrame block;
-    tool.place(hand_at(0.0));
-    Wrench before;
-    double held_N = 0.0;
-    for (int i = 1; i <= 1000; ++i) {
-        const double t_s = i * kDt_s;
-        // Pressed at rest; silent from 0.4 s to 0.7 s.
-        const ToolFelt felt =
-            tool.move({hand_at(std::min(t_s, 0.25)), {}}, {&block, 1}, t_s, kDt_s);
-        if (t_s <= 0.4 || t_s > 0.7) {
-            (void)tool.beside()->run_once();
+    test::check_silent_contacts(tool, tool.settings().age, hand_at, 0.4, [] {});
+}
+
+TEST_CASE(
+    "penalty beside: a tool put elsewhere knows nothing of what it met before, with an answer "
+    "under way") {
+    for (const bool by_itself : {false, true}) {
+        // Beside, or in rounds of its own that are told late.
+        auto tool = ImplicitPenaltyTool::build(make_plan(!by_itself, 0.01)).value();
+        const MovingFrame block;
+        tool.place(hand_at(0.0));
+        Vector3 pressed = Vector3::Zero();
+        double t_s = 0.0;
+        for (int i = 1; i <= 250; ++i) {
+            t_s = i * kDt_s;
+            pressed = tool.move({hand_at(t_s), {}}, {&block, 1}, t_s, kDt_s).felt_W.force;
+            if (!by_itself) {
+                (void)tool.beside()->run_once();
+            }
         }
-        held_N = i == 400 ? felt.felt_W.force.norm() : held_N;
-        const double silent_s = t_s - 0.4;
-        if (t_s > 0.4 && silent_s < age.hold_s - 0.001) {
-            REQUIRE(felt.felt_W.force.norm() == Approx(held_N).epsilon(1e-3));
-            REQUIRE_FALSE(tool.contact_age().is_lost());
+        REQUIRE(pressed.y() > 1.0);
+        tool.place(Pose::at({0.0, 0.06, 0.0}));
+        for (int i = 1; i <= 5; ++i) {
+            const ToolFelt after =
+                tool.move({Pose::at({0.0, 0.059, 0.0}), {}}, {&block, 1}, t_s + i * kDt_s, kDt_s);
+            CHECK(after.moved);
+            CHECK(after.felt_W.force == Vector3::Zero());
+            CHECK(tool.planes().empty());
         }
-        if (t_s < 0.7 && silent_s > age.hold_s + age.fade_s + 0.002) {
-            REQUIRE(felt.felt_W.force == Vector3::Zero());
-            REQUIRE(felt.spring_W.force == Vector3::Zero());
-            REQUIRE(felt.spring_energy_J == 0.0);
-            REQUIRE(tool.contact_age().is_lost());
-            REQUIRE(tool.contact_age().is_late());
-        }
-        if (t_s > 0.401) {
-            REQUIRE((felt.felt_W.force - before.force).norm() < 1.1 * held_N * kDt_s / age.fade_s);
-        }
-        before = felt.felt_W;
     }
-    CHECK(held_N > 3.0);
-    CHECK(before.force.norm() == Approx(held_N).epsilon(1e-3));
+}
+
+TEST_CASE("penalty: what a round is told is where all was when the step began") {
+    auto tool = ImplicitPenaltyTool::build(make_plan(false)).value();
+    MovingFrame block;
+    block.velocity_W = {{0.0, 0.3, 0.0}, {0.0, 0.0, 0.2}};
+    const Pose hand = Pose::at({0.0, 0.0402, 0.0});
+    tool.place(hand);
+    for (int i = 1; i <= 20; ++i) {
+        const Pose tool_W = tool.state().pose_W;
+        const Pose object_W = block.pose_W;
+        block = move_evenly(block, kDt_s);
+        REQUIRE(tool.move({hand, {}}, {&block, 1}, i * kDt_s, kDt_s).moved);
+        REQUIRE(tool.model().n > 0);
+        const Pose& X_OT = tool.model().contacts[0].X_OT;
+        CHECK((X_OT.position - (object_W.inverse() * tool_W).position).norm() < 1.0e-12);
+    }
+}
+
+TEST_CASE(
+    "penalty: a step whose time is no number leaves the tool as it is, one that cannot be made "
+    "leaves it at rest, and it goes on afterwards") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    auto tool = ImplicitPenaltyTool::build(make_plan(true)).value();
+    auto calm = ImplicitPenaltyTool::build(make_plan(true)).value();
+    const MovingFrame block;
+    const auto step = [&](ImplicitPenaltyTool& one, int i) {
+        const Wrench felt =
+            one.move({hand_at(i * kDt_s), {}}, {&block, 1}, i * kDt_s, kDt_s).felt_W;
+        (void)one.beside()->run_once();
+        return felt;
+    };
+    tool.place(hand_at(0.0));
+    calm.place(hand_at(0.0));
+    for (int i = 1; i <= 300; ++i) {
+        if (i % 50 == 0) {
+            for (const double bad : {nan, -kDt_s, std::numeric_limits<double>::infinity()}) {
+                const ToolFelt nothing =
+                    tool.move({hand_at(i * kDt_s), {}}, {&block, 1}, i * kDt_s, bad);
+                CHECK_FALSE(nothing.moved);
+                CHECK(nothing.felt_W.force == Vector3::Zero());
+            }
+            CHECK_FALSE(tool.move({hand_at(i * kDt_s), {}}, {&block, 1}, nan, kDt_s).moved);
+        }
+        REQUIRE(same(step(tool, i), step(calm, i)));
+    }
+    // So far off that what pulls is no number.
+    ImplicitPenaltyPlan unbounded = make_plan(true);
+    unbounded.settings.coupling.clamp_m = unbounded.settings.coupling.clamp_rad = 0.0;
+    auto thrown = ImplicitPenaltyTool::build(unbounded).value();
+    thrown.place(hand_at(0.0));
+    for (int i = 1; i <= 20; ++i) {
+        REQUIRE(thrown.move({hand_at(i * kDt_s), {}}, {&block, 1}, i * kDt_s, kDt_s).moved);
+    }
+    REQUIRE(thrown.state().velocity_W.linear.norm() > 0.01);
+    const Vector3 before = thrown.centre_W();
+    CHECK_FALSE(thrown.move({Pose::at({0.0, 1.0e307, 0.0}), {}}, {&block, 1}, 0.021, kDt_s).moved);
+    CHECK(thrown.centre_W() == before);
+    CHECK(thrown.state().velocity_W.linear == Vector3::Zero());
+    CHECK(thrown.state().velocity_W.angular == Vector3::Zero());
 }

@@ -48,6 +48,28 @@ TEST_CASE(
     CHECK(choose_scale({.scale = 1.5}, arm_reaching(Vector3::Constant(0.05))) == 1.0);
 }
 
+TEST_CASE("hand fitting: a verdict is of one device alone, but for a bad one that names none") {
+    const std::string stick = "a stick";
+    const HandFit good{.checked = verdict_of(true, stick)};
+    const HandFit moves{.checked = verdict_of(false, stick)};
+    const HandFit bad{.checked = bad_verdict_of(stick)};
+    CHECK(is_tried(good, true, stick));
+    CHECK(is_tried(good, false, stick));
+    CHECK_FALSE(is_tried(moves, true, stick));
+    CHECK(is_tried(moves, false, stick));
+    for (const HandFit& fit : {bad, HandFit{.checked = "not good"}, HandFit{}}) {
+        CHECK_FALSE(is_tried(fit, true, stick));
+        CHECK_FALSE(is_tried(fit, false, stick));
+    }
+    CHECK_FALSE(is_tried(good, false, "another"));
+    CHECK(is_refused(bad, stick));
+    CHECK_FALSE(is_refused(bad, "another"));
+    CHECK(is_refused({.checked = "not good"}, stick));
+    for (const HandFit& fit : {good, moves, HandFit{}}) {
+        CHECK_FALSE(is_refused(fit, stick));
+    }
+}
+
 TEST_CASE("hand fitting: an arm has a clutch, and a pointer stays what it is") {
     const auto with = [](const RunRequest& request, std::uint32_t buttons) {
         auto inner = std::make_unique<ScriptedDevice>();

@@ -46,6 +46,25 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "HID hands: a stick's sensor is watched by what its motors do to it, a SpaceMouse's is not") {
+    const Vector3 reach_D = Vector3::Constant(0.15);
+    DeviceTraits traits;
+    traits.position_resolution_m = 0.0003;
+    const SensorWatch cap = sensor_watch(traits, reach_D);
+    CHECK(cap.life.moves_at_N == 0.0);
+    CHECK(cap.life.trembles_within_s == 0.0);
+    CHECK(cap.life.most_m_per_s2 == 0.0);
+    traits.renders_force = true;
+    const SensorWatch stick = sensor_watch(traits, reach_D);
+    CHECK(validate(stick.life));
+    CHECK(stick.life.moves_at_N > 0.0);
+    CHECK(stick.life.moves_at_N < hid::HidHandSettings{}.full_force_N);
+    // Its motors push to the right and up; the throttle has none.
+    CHECK(stick.pushed_D == Vector3(1.0, 1.0, 0.0));
+    CHECK((stick.stop_D.array() < reach_D.array()).all());
+}
+
+TEST_CASE(
     "HID hands: a plan is held to what a stick's motors can do, and to nothing where there are "
     "none") {
     HidChoice choice;

@@ -216,3 +216,30 @@ TEST_CASE("options: a record is explained at a time, or exported") {
     CHECK_FALSE(parse({"export", "a.rec", "--json"}));
     CHECK_FALSE(parse({"run", "gravity", "--force", "1"}));
 }
+
+TEST_CASE("options: each arm has a key of its own, what stands behind its --hand") {
+    const auto both = parse(
+        {"run", "x", "--hand", "udp:a:1", "--key", "a.key", "--hand", "udp:b:2", "--key", "b.key"});
+    REQUIRE(both);
+    CHECK(both->arm.key_file == "a.key");
+    REQUIRE(both->more_keys.size() == 1);
+    CHECK(both->more_keys[0] == "b.key");
+    const auto second =
+        parse({"run", "x", "--hand", "udp:a:1", "--hand", "udp:b:2", "--key", "b.key"});
+    REQUIRE(second);
+    CHECK(second->arm.key_file.empty());
+    CHECK(second->more_keys == std::vector<std::string>{"b.key"});
+    const auto first =
+        parse({"run", "x", "--key", "a.key", "--hand", "udp:a:1", "--hand", "udp:b:2"});
+    REQUIRE(first);
+    CHECK(first->arm.key_file == "a.key");
+    CHECK(first->more_keys.empty());
+}
+
+TEST_CASE("options: a stop is of all hands, or of one process") {
+    CHECK_FALSE(parse({"stop"})->only_process);
+    CHECK(parse({"stop", "--only", "1234"})->only_process == 1234);
+    CHECK_FALSE(parse({"stop", "--only", "0"}));
+    CHECK_FALSE(parse({"stop", "--only", "1234.5"}));
+    CHECK_FALSE(parse({"stop", "--only", "all"}));
+}

@@ -78,6 +78,18 @@ TEST_CASE("soak report: trouble, and memory that grows, fail it") {
     CHECK(conclude_soak(sum_of(make_whole()), true, {0.5, 20.0}) == 0);
 }
 
+TEST_CASE("soak report: how fast it was is told by the clock and by what the processor did") {
+    SoakRun run = make_whole();
+    run.simulated_s = 600.0;
+    run.wall_s = 12.0;
+    run.processor_s = 5.0;
+    SoakSum sum = sum_of(run);
+    sum.add(run);
+    const std::string text = describe_soak(sum, {});
+    INFO(text);
+    CHECK(text.find("In all 1200 s, 50 times real time, 120 times its processor time, with") == 0);
+}
+
 TEST_CASE("soak report: each kind is told with how often it broke and how often it faded") {
     const std::string text = describe_soak(sum_of(make_whole()), {0.1, 2.0});
     INFO(text);

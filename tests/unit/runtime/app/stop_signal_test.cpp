@@ -6,6 +6,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -97,7 +99,7 @@ class Other {
 };
 
 std::size_t stop_all() {
-    const auto stopped = stop_all_hands(test_name().c_str());
+    const auto stopped = stop_all_hands({.name = test_name()});
     REQUIRE(stopped);
     return *stopped;
 }
@@ -141,6 +143,35 @@ TEST_CASE(
     CHECK(killed.exit_code() == -1);
 }
 
+TEST_CASE("stop signal: one alone is stopped where it is named") {
+    const Other meant;
+    const Other left;
+    const auto stopped = stop_all_hands({.name = test_name(), .only = meant.id()});
+    REQUIRE(stopped);
+    CHECK(*stopped == 1);
+    CHECK(meant.exit_code() == 0);
+    CHECK(stop_all() == 1);
+    CHECK(left.exit_code() == 0);
+}
+
+TEST_CASE("stop signal: where nobody can see what runs, that is told and is no success") {
+    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_proc_XXXXXX").string();
+    REQUIRE(::mkdtemp(folder.data()) != nullptr);
+    // Not there; a file; empty, as where it is not mounted; a process that tells nothing of itself.
+    std::ofstream(folder + "/file") << "none";
+    std::filesystem::create_directories(folder + "/empty");
+    std::filesystem::create_directories(folder + "/mute/" + std::to_string(::getpid()));
+    for (const char* where : {"/none", "/file", "/empty", "/mute"}) {
+        CAPTURE(where);
+        const auto stopped = stop_all_hands({.name = test_name(), .processes = folder + where});
+        REQUIRE_FALSE(stopped);
+        CHECK(to_sentence(stopped.error()).find("nobody can see what runs here") !=
+              std::string::npos);
+        CHECK(to_sentence(stopped.error()).ends_with("switch the arm off."));
+    }
+    std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("stop signal: root stops everybody's, others their own alone") {
     if (::geteuid() != 0) {
         SUCCEED("only root can be somebody else");
@@ -152,7 +183,7 @@ TEST_CASE("stop signal: root stops everybody's, others their own alone") {
     const pid_t stopper = ::fork();
     if (stopper == 0) {
         const bool is_nobody = ::setuid(kNobody) == 0;
-        const auto stopped = stop_all_hands(test_name().c_str());
+        const auto stopped = stop_all_hands({.name = test_name()});
         ::_exit(is_nobody && stopped && *stopped == 1 ? 0 : 1);
     }
     int status = 0;

@@ -154,3 +154,20 @@ TEST_CASE("hearing: a program that closes its output is ended at once") {
                   "Nobody hears any more: the program sh has ended; type the answers."});
     }
 }
+
+TEST_CASE(
+    "hearing: in a window too a program that stays silent is told of and ended, and no poll "
+    "waits") {
+    const auto recogniser =
+        ExternalRecogniser::create({.words = shell("exec sleep 100"), .patience_s = 0.3}).value();
+    REQUIRE(recogniser->listen(make_question().templates));
+    CHECK(recogniser->poll().empty());
+    CHECK(recogniser->name() != "none");
+    recogniser->hear(std::vector<std::int16_t>(100, 1));
+    recogniser->hear(std::vector<std::int16_t>(100, 1));
+    const Ended ended = poll_to_its_end(*recogniser);
+    CHECK(ended.longest_poll_s < 5.0);
+    CHECK(ended.told ==
+          std::vector<std::string>{"Nobody hears any more: the program sh has said nothing of what "
+                                   "was spoken for 0 s, and was ended; type the answers."});
+}

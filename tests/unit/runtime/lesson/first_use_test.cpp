@@ -51,8 +51,9 @@ std::string truly(FirstUseQuestion question, const Child& child) {
     return child.answer(question);
 }
 
-FirstUse play(PushedArm& bench, bool asks, const Speaks& speaks = truly) {
-    FirstUse trial(asks);
+FirstUse play(PushedArm& bench, bool asks, const Speaks& speaks = truly,
+              const TriedDevice& tried = {}) {
+    FirstUse trial(asks, tried);
     Child child;
     for (int i = 0; trial.end() == FirstUseEnd::running && i < 20'000; ++i) {
         bench.frame(trial.step(bench.loop->state(), bench.now_s));
@@ -259,4 +260,57 @@ TEST_CASE("first use: a stop, or an arm that nobody holds, leaves it untried") {
     const FirstUse trial = play(loose, false);
     CHECK(trial.end() == FirstUseEnd::disturbed);
     CHECK(tell(trial, {}).find("hold it loosely") != std::string::npos);
+}
+
+TEST_CASE(
+    "first use: a joystick is tried along the axes that it has, and there away is up and to me is "
+    "down") {
+    const TriedDevice stick{.is_stick = true, .pushes = {true, true, false}};
+    const Matrix3 motors = Vector3(1.0, 1.0, 0.0).asDiagonal();
+    int asked = 0;
+    const Speaks on_a_table = [&](FirstUseQuestion question, const Child& child) {
+        ++asked;
+        const std::string said = child.answer(question);
+        return said == "UP" ? "away" : said == "It pushes down!" ? "to me" : said;
+    };
+    PushedArm good(motors);
+    CHECK(play(good, true, on_a_table, stick).end() == FirstUseEnd::good);
+    CHECK(asked == 6);  // four ways, twice the stronger one
+    PushedArm up(motors);
+    CHECK(play(up, true, truly, stick).end() == FirstUseEnd::good);
+    PushedArm watched(motors);
+    CHECK(play(watched, false, truly, stick).end() == FirstUseEnd::good);
+    // An arm that has lost an axis is none.
+    PushedArm lame(motors);
+    CHECK(play(lame, false).end() == FirstUseEnd::unfelt);
+    // The wrong way, either axis.
+    for (const Vector3& wrong : {Vector3(-1.0, 1.0, 0.0), Vector3(1.0, -1.0, 0.0)}) {
+        PushedArm reversed(wrong.asDiagonal());
+        const FirstUse trial = play(reversed, false, truly, stick);
+        CHECK(trial.end() == FirstUseEnd::against);
+        CHECK(tell(trial, {}).starts_with(
+            "the stick gives no force in this lesson: the hand goes against its push"));
+    }
+    PushedArm dead(Matrix3::Zero());
+    CHECK(play(dead, false, truly, stick).end() == FirstUseEnd::unfelt);
+    // One with a motor along x alone is compared there.
+    PushedArm wheel(Vector3(1.0, 0.0, 0.0).asDiagonal());
+    CHECK(play(wheel, true, truly, {.is_stick = true, .pushes = {true, false, false}}).end() ==
+          FirstUseEnd::good);
+    CHECK(FirstUse(true, {.is_stick = true, .pushes = {false, false, false}}).end() ==
+          FirstUseEnd::unfelt);
+}
+
+TEST_CASE("first use: a joystick that stands turned is told, with the axes that mend it") {
+    const TriedDevice stick{.is_stick = true, .pushes = {true, true, false}};
+    const AxisOrder axes = *AxisOrder::read("-x,y,z");
+    PushedArm mirrored(Vector3(1.0, 1.0, 0.0).asDiagonal(), arm_held_by(kPosture), {.axes = axes});
+    const FirstUse trial = play(mirrored, true, truly, stick);
+    REQUIRE(trial.end() == FirstUseEnd::turned);
+    CHECK(tell(trial, {}).find("--axes -x,y,z.") != std::string::npos);
+    PushedArm crossed(Vector3(1.0, 1.0, 0.0).asDiagonal(), arm_held_by(kPosture),
+                      {.axes = *AxisOrder::read("y,x,z")});
+    const FirstUse exchanged = play(crossed, true, truly, stick);
+    REQUIRE(exchanged.end() == FirstUseEnd::turned);
+    CHECK(tell(exchanged, {}).find("--axes y,x,z.") != std::string::npos);
 }

@@ -35,12 +35,29 @@ TEST_CASE("free English: things are also the words that all answers say with an 
                         "it is near the {goal}",
                         "{goal}",
                         "it is the {force}",
-                        "(a|the) {part}"};
+                        "(a|the) {part}",
+                        "it needs a {size} tail"};
     question.lists = {{"place", {"side|rim", "pole|top"}},
                       {"missing", {"tail|kite tail"}},
                       {"goal", {"hand"}},
                       {"force", {"weight", "wind"}},
                       {"part", {"knot"}},
+                      {"size", {"longer|long", "short"}},
                       {"nowhere", {"book"}}};
-    CHECK(things_of(lesson) == std::vector<std::string>{"side", "pole", "tail", "wind"});
+    CHECK(things_of(lesson) == std::vector<std::string>{"side", "pole", "tail", "wind", "knot"});
+}
+
+TEST_CASE("free English: things are also the nouns that a lesson says with an article each time") {
+    LessonDescription lesson;
+    QuestionDescription& question = lesson.questions.emplace_back();
+    question.answers = {"pull the (line|string) near the end",
+                        "(my|the) hand feels the drag",
+                        "[the] cloth is <adjective:light>",
+                        "on top of the kite",
+                        "it is in the top",
+                        "make the {part} longer"};
+    question.rules = {{"of", "[(of|in) the (line|rope|air)]"}};
+    question.lists = {{"part", {"knot"}}, {"nothing", {"kite"}}};
+    CHECK(things_of(lesson) ==
+          std::vector<std::string>{"knot", "end", "hand", "line", "rope", "string"});
 }

@@ -189,3 +189,34 @@ TEST_CASE("knowledge: a rule is put in its place in every way to ask, and means 
 
 }  // namespace
 }  // namespace fulcrum::runtime
+
+TEST_CASE("knowledge: words are put as a question by their first word or a question mark") {
+    for (const char* asks : {"what is it", "Is it made of glass", "  does Mars have moons?", "How?",
+                             "what's this", "it is heavy?", "Tell me what it is"}) {
+        INFO(asks);
+        CHECK(fulcrum::runtime::begins_as_question(asks));
+    }
+    for (const char* says : {"it is made of glass", "the apple is heavier", "isn't it", "whatever",
+                             "", "   ", "metal"}) {
+        INFO(says);
+        CHECK_FALSE(fulcrum::runtime::begins_as_question(says));
+    }
+}
+
+TEST_CASE("knowledge: what asks something of its own, and what is an answer that lacks a word") {
+    using fulcrum::runtime::asks_something;
+    for (const char* asks :
+         {"What colour is it?", "what colour is it", "Can I eat it?", "can i eat it", "Is it red?",
+          "is there a dog?", "does it float", "And why?", "Please tell me more", "When is it over",
+          "Have you got a dog?", "how many are there", "Whose is it?", "do you like it"}) {
+        INFO(asks);
+        CHECK(asks_something(asks));
+    }
+    for (const char* says :
+         {"", "  ", "?", "the apple?", "is on the block", "is the lift", "has two moons",
+          "can float", "when the wind stops", "is there one moon", "it is heavy?", "why", "does it",
+          "please", "because it is light", "I don't know what it is"}) {
+        INFO(says);
+        CHECK_FALSE(asks_something(says));
+    }
+}

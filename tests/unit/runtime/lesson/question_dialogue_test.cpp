@@ -323,6 +323,29 @@ TEST_CASE(
     CHECK(holds);
 }
 
+TEST_CASE("question dialogue: where asking is the answer, what is asked elsewhere is a right one") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"how heavy is the {thing}"};
+    QuestionDialogue dialogue(compile_questions(lesson).value(), words());
+    fulcrum::dialogue::Mark asked;
+    asked.understood = true;
+    asked.said = asked.corrected = "Who are you?";
+    CHECK_FALSE(dialogue.wants_question());
+    CHECK_FALSE(dialogue.take_question(asked, 0.0).answer);
+    (void)dialogue.ask("heaviest", 0.0);
+    CHECK(dialogue.wants_question());
+    const QuestionTurn turn = dialogue.take_question(asked, 1.0);
+    REQUIRE(turn.answer);
+    CHECK(turn.answer->right);
+    CHECK(dialogue.state() == QuestionState::closed);
+    REQUIRE(turn.events.size() == 1);
+    CHECK(std::get<AnsweredEvent>(turn.events[0]).over);
+    // Others are not answered so.
+    QuestionDialogue other = make_dialogue();
+    (void)other.ask("heaviest", 0.0);
+    CHECK_FALSE(other.wants_question());
+}
+
 TEST_CASE("question dialogue: a number that no list has is wrong without asking the lesson") {
     LessonDescription lesson = two_things();
     lesson.questions[0].answers = {"{number} <plural:egg>"};

@@ -44,6 +44,39 @@ TEST_CASE("question notes: what the review finds has the question's line") {
     CHECK_THAT(notes[0], Catch::EndsWith("."));
 }
 
+TEST_CASE("question notes: an answer that would be said back without its subject is told") {
+    const auto notes = question_notes(with_answers({"[it] needs a tail"}), kSilent);
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0],
+               Catch::EndsWith("answer 1: \"Needs a tail.\" has no subject; let what stands "
+                               "before the verb be no part that may be left out."));
+    CHECK(question_notes(with_answers({"(it|the {thing}) is in the bowl", "[it is] in the bowl",
+                                       "turn it round", "is it heavy?"}),
+                         kSilent)
+              .empty());
+}
+
+TEST_CASE("question notes: a hint that says a word twice is told") {
+    const LessonDescription lesson = with_answers({"is the {thing} on the apple"});
+    const auto notes = question_notes(lesson, kSilent);
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], Catch::Contains("\", which has \"apple\" twice; give the first of"));
+    CHECK(question_notes(with_answers({"the {thing} is on the {thing:other}"}), kSilent).empty());
+}
+
+TEST_CASE("question notes: of a question that is asked with a slip of the pen only that is told") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].again.clear();
+    NoteSources sources = kSilent;
+    sources.texts = {"L:question \"heaviest\" { }\ngame.ask(\"haeviest\", { hint = \"Look.\" })"};
+    const auto notes = question_notes(lesson, sources);
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], Catch::EndsWith("nothing asks it; write game.ask \"heaviest\", where "
+                                         "\"haeviest\" stands now."));
+    sources.texts = {"L:question \"heaviest\" { }\ngame.ask(\"colour\", { hint = \"Look.\" })"};
+    CHECK(question_notes(lesson, sources).size() == 2);
+}
+
 TEST_CASE("question notes: words that no dictionary and no rule can say are named") {
     const ScratchFolder folder;
     folder.write("sounds", "the DH AH\nis IH Z\nheavy HH EH V IY\negg EH G\napple AE P AH L\n");

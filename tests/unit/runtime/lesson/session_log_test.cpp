@@ -89,6 +89,31 @@ TEST_CASE("session log: what the rules of English find is kept with its point of
     CHECK(validate(attempt));
 }
 
+TEST_CASE("session log: an error is kept as it is read without its sentence") {
+    MemoryStore store;
+    SessionLog log(store, some_session());
+    MarkedAnswer answer = some_answer();
+    dialogue::FormError& error = answer.mark.form_errors[0];
+    error.code = dialogue::ErrorCode::wrong_preposition;
+    error.passive = true;
+    error.said = "by";
+    error.right = "of";
+    log.keep_attempt(answer);
+    error.code = dialogue::ErrorCode::missing_preposition;
+    error.said = "";
+    log.keep_attempt(answer);
+    error.code = dialogue::ErrorCode::word_order;
+    error.passive = false;
+    error.right = "is";
+    error.phrase = "is the heaviest";
+    log.keep_attempt(answer);
+    REQUIRE(store.data.attempts.size() == 3);
+    const auto kept = [&](std::size_t i) { return store.data.attempts[i].errors.at(0); };
+    CHECK(kept(0) == ErrorRecord{"R:PREP", "made by", "made of", "preposition"});
+    CHECK(kept(1) == ErrorRecord{"M:PREP", "made", "made of", "preposition"});
+    CHECK(kept(2) == ErrorRecord{"R:WO", "", "is the heaviest", "wording"});
+}
+
 TEST_CASE("session log: beginning, answers and end are kept as they were") {
     MemoryStore store;
     const SessionRecord session = some_session();

@@ -33,6 +33,10 @@ TEST_CASE("report cells: an error in plain words shows the most frequent example
           "others (2 "
           "times)");
     CHECK(plain_words({"M:DET", 1, "", "the", {{"", "the", 1}}}) == "left out \"the\" (once)");
+    CHECK(plain_words({"R:WO", 2, "", "is the heaviest", {{"", "is the heaviest", 2}}}) ==
+          "word order: the verb too late, for \"is the heaviest\" (2 times)");
+    CHECK(plain_words({"R:WO", 1, "rock hard", "hard rock", {{"rock hard", "hard rock", 1}}}) ==
+          "word order: \"rock hard\" for \"hard rock\" (once)");
     CHECK(times(1) == "once");
     CHECK(times(2) == "2 times");
 }
@@ -43,6 +47,8 @@ TEST_CASE("report cells: a point of grammar tells how it goes now") {
     CHECK(plain_words(GrammarPointReport{"article", 1, 1}) ==
           "article 1 (none in the last answer)");
     CHECK(plain_words(GrammarPointReport{"article", 2, 0}) == "article 2 (in the last answer)");
+    CHECK(plain_words(GrammarPointReport{"wording", 1, 0}) ==
+          "order of words 1 (in the last answer)");
     CHECK(point_cell({"passive_voice", 3, 5}) == "passive_voice 3");
     CHECK(since_cell({"passive_voice", 3, 5}) == "passive_voice 5");
 }

@@ -189,7 +189,9 @@ TEST_CASE("plan: whoever waits for levels may stop them") {
     CHECK(to_sentence(stopped.error()).find("lesson.lua:4: the ball: ") == 0);
 }
 
-TEST_CASE("plan: in a live run a thread finds contact beside the steps, in no other") {
+TEST_CASE(
+    "plan: in a live run a thread finds contact or moves a god-object beside the steps, in no "
+    "other") {
     LessonDescription lesson = make_lesson();
     const auto is_stage = [](const PlanStage& stage) { return stage.loop == "contact"; };
     const auto runs_beside = [](const Plan& plan) {
@@ -221,6 +223,21 @@ TEST_CASE("plan: in a live run a thread finds contact beside the steps, in no ot
         CHECK(explain(lesson, *quiet).find("In a live run a thread of its own finds contact") !=
               std::string::npos);
     }
+    // A god-object's motion is beside too.
+    lesson.hand.tool->method = ToolMethod::god_object;
+    lesson.hand.tool->contact = ContactFinding::fields;
+    const auto god = compile(lesson, {.live = true});
+    const auto quiet_god = compile(lesson);
+    REQUIRE(god);
+    REQUIRE(quiet_god);
+    CHECK(validate(god->haptic));
+    CHECK(runs_beside(*god));
+    CHECK_FALSE(runs_beside(*quiet_god));
+    CHECK(std::ranges::find_if(god->stages, is_stage)->name == "motion");
+    CHECK(explain(lesson, *god).find("a thread moves the tool beside the haptic loop") !=
+          std::string::npos);
+    CHECK(explain(lesson, *quiet_god).find("In a live run a thread of its own moves it") !=
+          std::string::npos);
     // Points that push by fields find nothing beside.
     lesson.hand.tool->method = ToolMethod::field_sampling;
     const auto fields = compile(lesson, {.live = true});

@@ -89,7 +89,11 @@ TEST_CASE("plan: without rigid bodies there is no world of them, nor its stage")
 TEST_CASE("plan: a teacher is told what is too heavy to lift") {
     const Plan plan = compile(make_blocks());
     REQUIRE(plan.notices.size() == 1);
-    CHECK(plan.notices[0].find("heavy weighs 19.6 N") != std::string::npos);
+    CHECK(plan.notices[0].find("heavy weighs 19.62 N, and a hand that may feel 5.0 N lifts 4.50 N "
+                               "at most, so it can only be pushed") != std::string::npos);
+    // What it may weigh is told so that it is no more than that.
+    CHECK(plan.notices[0].find("its mass, which is 2 kg, must be 0.458 kg at most") !=
+          std::string::npos);
     CHECK(plan.notices[0].find("lesson.lua:5") != std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/explain.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/unit/runtime/scene/tool_lesson.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,34 +21,9 @@
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test_scene;
 
 namespace {
-
-// A solid block of 40 x 4 x 10 cm, and a cylinder in the hand.
-LessonDescription make_lesson() {
-    LessonDescription lesson;
-    lesson.title = "A tool";
-    lesson.id = "tool";
-    BodyDescription body;
-    body.name = body.noun = body.model = "block";
-    body.solid = true;
-    body.line = 4;
-    lesson.bodies.push_back(body);
-    lesson.hand.tool = ToolDescription{};
-    lesson.hand.line = 7;
-    return lesson;
-}
-
-Expected<std::shared_ptr<const CollisionMesh>> load_block(const BodyDescription& body) {
-    const Vector3 size_m =
-        body.model == "stick" ? Vector3(0.02, 0.3, 0.02) : Vector3(0.4, 0.04, 0.1);
-    return make_box(size_m).and_then(
-        [](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
-}
-
-Expected<Plan> compile(const LessonDescription& lesson) {
-    return compile_plan(lesson, {}, load_block);
-}
 
 std::string refusal(const LessonDescription& lesson) {
     const auto plan = compile(lesson);
@@ -102,7 +78,7 @@ TEST_CASE("plan: a god-object's tool meets the triangles of bodies, and turns on
     const auto& objects = std::get<std::vector<GodObjectPlan>>(plan->haptic.tool->objects);
     REQUIRE(objects.size() == 1);
     CHECK(objects[0].object->swept().n_triangles() == 12);
-    const GodObjectSettings settings = make_god_object_settings(plan->haptic.tool->settings);
+    const GodObjectSettings settings = make_god_object_settings(*plan->haptic.tool);
     const ToolCouplingSettings& coupling = plan->haptic.tool->settings.coupling;
     CHECK(settings.coupling.shift.stiffness_N_per_m * settings.inertia.moments_kg_m2.y() /
               settings.inertia.mass_kg ==

@@ -1,10 +1,9 @@
 // What is told of a tool that feels materials (plan_tool.h).
-#include "haptics/collision/collision_mesh.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/tool/tool_plan.h"
 #include "runtime/scene/explain.h"
-#include "runtime/scene/plan_tool.h"
+#include "tests/unit/runtime/scene/tool_lesson.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,36 +14,7 @@
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
-
-namespace {
-
-// A solid block of 40 x 4 x 10 cm, and a cylinder in the hand.
-LessonDescription make_lesson() {
-    LessonDescription lesson;
-    lesson.title = "A tool";
-    lesson.id = "tool";
-    BodyDescription body;
-    body.name = body.noun = body.model = "block";
-    body.solid = true;
-    body.line = 4;
-    lesson.bodies.push_back(body);
-    lesson.hand.tool = ToolDescription{};
-    lesson.hand.line = 7;
-    return lesson;
-}
-
-Expected<std::shared_ptr<const CollisionMesh>> load_block(const BodyDescription& body) {
-    const Vector3 size_m =
-        body.model == "stick" ? Vector3(0.02, 0.3, 0.02) : Vector3(0.4, 0.04, 0.1);
-    return make_box(size_m).and_then(
-        [](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
-}
-
-Expected<Plan> compile(const LessonDescription& lesson) {
-    return compile_plan(lesson, {}, load_block);
-}
-
-}  // namespace
+using namespace fulcrum::runtime::test_scene;
 
 TEST_CASE(
     "plan: a god-object's tool feels the friction of materials, and what it does not feel is told "

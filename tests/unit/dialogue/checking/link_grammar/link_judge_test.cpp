@@ -31,6 +31,17 @@ TEST_CASE("link judge: good sentences have no misfits, bad ones have some") {
     }
 }
 
+TEST_CASE(
+    "link judge: one that opens its dictionary for the first sentence judges as the others do") {
+    auto late = make_link_judge(GrammarOpens::for_a_sentence);
+    REQUIRE(late);
+    const auto judge = made_judge();
+    for (const char* sentence : {"it is an apple.", "I saw moon.", "there is two moons.", ""}) {
+        INFO(sentence);
+        CHECK((*late)->misfits(sentence) == judge->misfits(sentence));
+    }
+}
+
 TEST_CASE("link judge: it says nothing of what is too long, empty or no text, and goes on") {
     const auto judge = made_judge();
     std::string endless;
@@ -58,4 +69,42 @@ TEST_CASE("link judge: with it a checker sees an article that is missing") {
     CHECK(checker.check("I saw a moon.").errors.empty());
     CHECK(checker.check("The planets goes around the sun.").corrected ==
           "The planets go around the sun.");
+}
+
+TEST_CASE("link judge: with it a checker offers only what it can prove, with all errors mended") {
+    EnglishChecker checker(opened_lexicon(), made_judge());
+    checker.set_things({"tail", "kite", "hand"});
+    const struct {
+        const char *said, *offered;
+    } rows[] = {
+        {"It need longer tail", "It needs a longer tail"},
+        {"it want the a tail", "it wants a tail"},
+        {"Earth have only moon", "Earth has only one moon"},
+        {"the things is made by metals", "the things are made of metal"},
+        {"I wants a apple because he have two moon", "I want an apple because he has two moons"}};
+    for (const auto& row : rows) {
+        INFO(row.said);
+        const CheckedText checked = checker.advise(row.said);
+        CHECK(checked.corrected == row.offered);
+        CHECK(checked.proven);
+        CHECK(checker.advise(checked.corrected).errors.empty());
+    }
+    for (const char* unproven :
+         {"it's lift what holds up", "kite is fly", "the kite have longest tail",
+          "The support have to come nearer hand", "Kite it fly because wind push he"}) {
+        INFO(unproven);
+        const CheckedText checked = checker.advise(unproven);
+        CHECK((!checked.proven || checked.corrected == "The support has to come nearer the hand"));
+    }
+    // What nobody can prove isn't offered, whatever else was mended in it.
+    for (const char* unproven :
+         {"the kite fly very highly", "it push in up", "it wish a tail", "it miss the tail",
+          "it make the kite to fly more high", "the Sun give light and warm", "it have not a tail",
+          "it need a longer tail because wind is stronger"}) {
+        INFO(unproven);
+        CHECK_FALSE(checker.advise(unproven).errors.empty());
+        CHECK_FALSE(checker.advise(unproven).proven);
+    }
+    CHECK(checker.advise("give it longer tail").corrected == "give it a longer tail");
+    CHECK(checker.advise("it's lift what holds up").corrected != "it lift what holds up");
 }

@@ -18,6 +18,12 @@ ArmControl make_control(const ArmModel& model, double posture_per_s = 0.0) {
     return ArmControl(model, {make_wam_home(), posture_per_s});
 }
 
+// Where the arm stands is what its encoders see.
+ArmCommand step(ArmControl& control, const ArmModel& model, const JointVector& q,
+                const JointVector& v, const Wrench& wrench_B) {
+    return control.step(Place(model, q).posture, q, v, wrench_B);
+}
+
 double find_most(const ArmModel& model, const JointVector& motors) {
     double most = 0.0;
     for (int k = 0; k < model.n; ++k) {
@@ -34,7 +40,7 @@ TEST_CASE("arm control: without a wrench it gives the weight's torque, so nothin
     ArmControl control = make_control(wam);
     const JointVector q = make_wam_home();
     const Place place(wam, q);
-    const ArmCommand command = control.step(q, JointVector::Zero(7), {});
+    const ArmCommand command = step(control, wam, q, JointVector::Zero(7), {});
     CHECK((command.torque_Nm - compute_weight_torque(wam, place.posture)).norm() < 1e-12);
     CHECK(command.wrench_share == 1.0);
 }
@@ -48,7 +54,7 @@ TEST_CASE("arm control: the wrench does at the joints the work that it does at t
         const JointVector v = draw(random, 7, 1.0);
         const Wrench wrench{Vector3(draw(random, 3, 5.0)), Vector3(draw(random, 3, 0.1))};
         const Place place(wam, q);
-        const ArmCommand command = control.step(q, JointVector::Zero(7), wrench);
+        const ArmCommand command = step(control, wam, q, JointVector::Zero(7), wrench);
         REQUIRE(command.wrench_share == 1.0);
         const double joints_W =
             v.dot(command.torque_Nm - compute_weight_torque(wam, place.posture));
@@ -67,7 +73,7 @@ TEST_CASE(
         const JointVector q = draw(random, 7, 2.0);
         const double size = std::pow(10.0, (k % 7) - 1);
         const Wrench wrench{Vector3(draw(random, 3, size)), Vector3(draw(random, 3, size))};
-        const ArmCommand command = control.step(q, draw(random, 7, 3.0), wrench);
+        const ArmCommand command = step(control, wam, q, draw(random, 7, 3.0), wrench);
         const JointVector motors = control.compute_motor_torque(command.torque_Nm);
         REQUIRE(find_most(wam, motors) <= 1.0 + 1e-12);
         if (command.wrench_share < 1.0) {
@@ -107,7 +113,7 @@ TEST_CASE("arm control: bringing the elbow home does not accelerate the handle")
         const JointVector q = make_wam_home() + draw(random, 7, 0.4);
         const JointVector v = draw(random, 7, 0.2);
         const Place place(wam, q);
-        const ArmCommand command = control.step(q, v, {});
+        const ArmCommand command = step(control, wam, q, v, {});
         REQUIRE(command.posture_share == 1.0);
         const JointVector posture = command.torque_Nm - compute_weight_torque(wam, place.posture);
         const Eigen::VectorXd accelerated = Eigen::MatrixXd(place.inertia()).llt().solve(posture);
@@ -127,14 +133,14 @@ TEST_CASE("arm control: singular postures are like any other to it") {
     ArmPosture posture;
     compute_posture(wam, straight, posture);
     REQUIRE(Eigen::FullPivLU<Eigen::MatrixXd>(posture.jacobian_B).rank() < 6);
-    const ArmCommand command =
-        control.step(straight, JointVector::Ones(7), {Vector3(3.0, 3.0, 3.0), Vector3::Zero()});
+    const ArmCommand command = step(control, wam, straight, JointVector::Ones(7),
+                                    {Vector3(3.0, 3.0, 3.0), Vector3::Zero()});
     CHECK(command.torque_Nm.allFinite());
     CHECK(find_most(wam, control.compute_motor_torque(command.torque_Nm)) <= 1.0 + 1e-12);
     // A force along the straight arm is carried by its links: only those joints that it passes by feel it.
     ArmControl still = make_control(wam);
     const JointVector pushed =
-        still.step(straight, JointVector::Zero(7), {Vector3(0.0, 0.0, 5.0), Vector3::Zero()})
+        step(still, wam, straight, JointVector::Zero(7), {Vector3(0.0, 0.0, 5.0), Vector3::Zero()})
             .torque_Nm -
         compute_weight_torque(wam, posture);
     CHECK(std::abs(pushed(0)) < 1e-12);
@@ -145,7 +151,7 @@ TEST_CASE("arm control: an arm too heavy for its motors gets what they have") {
     ArmModel wam = make_barrett_wam();
     wam.links[3].mass_kg = 200.0;
     ArmControl control = make_control(wam, 3.0);
-    const ArmCommand command =
-        control.step(make_wam_home(), JointVector::Zero(7), {Vector3::Ones(), Vector3::Zero()});
+    const ArmCommand command = step(control, wam, make_wam_home(), JointVector::Zero(7),
+                                    {Vector3::Ones(), Vector3::Zero()});
     CHECK(find_most(wam, control.compute_motor_torque(command.torque_Nm)) <= 1.0 + 1e-12);
 }

@@ -175,6 +175,29 @@ TEST_CASE("fitted device: one that is to give no force gives none, whatever is w
     CHECK(fitted.read().pose_D.position.y() == 0.1);
 }
 
+TEST_CASE(
+    "fitted device: one of unknown strength is written a part of each wrench, until all of it") {
+    const Fitted fitted({.axes = *AxisOrder::read("y,x,z")});
+    const Wrench asked{{1.0, 2.0, 3.0}, {0.1, 0.2, 0.3}};
+    fitted.device->give_part(0.25);
+    REQUIRE(fitted.device->write(0.0, asked));
+    CHECK((fitted.arm->written_D.force - Vector3(0.5, 0.25, 0.75)).norm() < kRounding);
+    CHECK(fitted.arm->written_D.torque.norm() == Approx(0.25 * asked.torque.norm()));
+    fitted.device->give_part(1.0);
+    REQUIRE(fitted.device->write(0.0, asked));
+    CHECK(fitted.arm->written_D.force.norm() == Approx(asked.force.norm()));
+    for (const double bad : {-0.1, 1.1, std::nan("")}) {
+        fitted.device->give_part(bad);
+        REQUIRE(fitted.device->write(0.0, asked));
+        CHECK(fitted.arm->written_D.force.isZero(0.0));
+    }
+    // One that is to give none stays without.
+    fitted.device->give_no_force();
+    fitted.device->give_part(1.0);
+    REQUIRE(fitted.device->write(0.0, asked));
+    CHECK(fitted.arm->written_D.force.isZero(0.0));
+}
+
 TEST_CASE("fitted device: a fit outside its range is refused") {
     CHECK(validate(DeviceFit{}));
     CHECK_FALSE(validate(DeviceFit{.clutch_button = kMostClutchButton + 1}));

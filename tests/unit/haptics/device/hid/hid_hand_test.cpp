@@ -279,12 +279,67 @@ TEST_CASE(
     rig.bus->stall(kPath, false);
 }
 
+TEST_CASE(
+    "HID hand: a stick that repeats itself and falls silent gives no pose; one that speaks of "
+    "changes alone may be silent") {
+    StickRig rig;
+    CHECK(rig.eventually([&] { return rig.read(); }));
+    // No two reports alike, then none for twice as long as would be a fault.
+    for (int i = 0; i < 200; ++i) {
+        rig.bus->report(kPath, stick_report({}, i % 2, i, 0, 0));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const double silence_s = HidHandSettings{}.stick_silence_s;
+    const double until_s = monotonic_now_s() + 2.0 * silence_s;
+    while (monotonic_now_s() < until_s) {
+        (void)rig.read();
+    }
+    CHECK(rig.eventually([&] { return rig.read(); }));
+    // The same again and again, then nothing; and it speaks again.
+    for (int round = 0; round < 2; ++round) {
+        CHECK(rig.eventually([&] {
+            for (int i = 0; i < 100; ++i) {
+                rig.bus->report(kPath, stick_report({}, 20, 30, 0, 0));
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            const double began_s = monotonic_now_s();
+            while (monotonic_now_s() < began_s + 2.0 * silence_s) {
+                (void)rig.read();
+            }
+            return !rig.read();
+        }));
+        CHECK(rig.eventually([&] {
+            rig.bus->report(kPath, stick_report({}, 20, 30, 0, 0));
+            return rig.read();
+        }));
+    }
+}
+
+TEST_CASE("HID hand: what has no motors may repeat itself and fall silent, and keeps its place") {
+    CapRig rig;
+    CHECK(rig.eventually([&] {
+        for (int i = 0; i < 100; ++i) {
+            rig.bus->report(kPath, cap_report(1, {0, 0, 0}));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return rig.read();
+    }));
+    const double until_s = monotonic_now_s() + 2.0 * HidHandSettings{}.stick_silence_s;
+    while (monotonic_now_s() < until_s) {
+        (void)rig.read();
+    }
+    CHECK(rig.eventually([&] { return rig.read(); }));
+}
+
 TEST_CASE("HID hand: settings out of range are refused") {
     CHECK(validate(HidHandSettings{}));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {0.01, 20.0, nan}) {
         HidHandSettings settings;
         settings.cap_silence_s = bad;
+        CHECK_FALSE(validate(settings));
+        settings = {};
+        settings.stick_silence_s = bad;
         CHECK_FALSE(validate(settings));
         settings = {};
         settings.full_force_N = bad;

@@ -123,6 +123,10 @@ TEST_CASE(
         Rig rig(with_force);
         rig.start();
         CHECK(rig.port->take_notice().empty());
+        if (!with_force) {
+            rig.bus->report(rig.node.path, cap_report(1, {350, 0, 0}));
+            CHECK(eventually([&] { return rig.newest().cap.push_D.x() == 1.0; }));
+        }
         rig.bus->unplug(rig.node.path);
         CHECK(eventually([&] { return !rig.newest().is_there; }));
         CHECK(eventually([&] { return rig.port->counts().losses == 1; }));
@@ -145,6 +149,58 @@ TEST_CASE(
             CHECK(rig.felt_while_pushed(1.0, [](double felt) { return felt > 0.99; }));
         }
     }
+}
+
+TEST_CASE(
+    "HID port: the same said after a pause, or before it was unplugged, is not said again and "
+    "again") {
+    Rig rig(false);
+    rig.start();
+    std::uint64_t said = 0;
+    const auto say = [&](int n) {
+        said += static_cast<std::uint64_t>(n);
+        for (int i = 0; i < n; ++i) {
+            rig.bus->report(rig.node.path, cap_report(1, {70, 0, 0}));
+        }
+        CHECK(eventually([&] { return rig.port->counts().reports == said; }));
+        // What was counted is handed over a moment later.
+        const double then_s = rig.newest().stamp_s;
+        CHECK(eventually([&] { return rig.newest().stamp_s > then_s; }));
+    };
+    say(40);
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    say(40);
+    CHECK_FALSE(rig.newest().repeats_itself);
+    CHECK(eventually([&] {
+        say(60);
+        return rig.newest().repeats_itself;
+    }));
+    rig.bus->unplug(rig.node.path);
+    CHECK(eventually([&] { return !rig.newest().is_there; }));
+    rig.plug(rig.node.path, false);
+    CHECK(eventually([&] { return rig.newest().is_there; }));
+    CHECK_FALSE(rig.newest().repeats_itself);
+    // The first after that repeats nothing.
+    say(50);
+    CHECK_FALSE(rig.newest().repeats_itself);
+}
+
+TEST_CASE("HID port: another of the same kind, with another serial number, is not taken for it") {
+    Rig rig(true);
+    rig.node.serial = "one";
+    rig.plug(rig.node.path, true);
+    rig.start();
+    rig.bus->unplug(rig.node.path);
+    CHECK(eventually([&] { return rig.port->counts().losses == 1; }));
+    HidNode other = rig.node;
+    other.serial = "two";
+    rig.bus->plug(other, std::make_shared<QuietHid>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    CHECK_FALSE(rig.newest().is_there);
+    CHECK(rig.bus->links(rig.node.path) == 0);
+    rig.plug("/dev/hidraw11", true);
+    CHECK(eventually([&] { return rig.newest().is_there && rig.port->takes_force(); }));
+    CHECK(rig.bus->links("/dev/hidraw11") == 2);
 }
 
 TEST_CASE("HID port: one that comes back with other reports is not taken") {

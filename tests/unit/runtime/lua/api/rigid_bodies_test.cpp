@@ -119,6 +119,9 @@ TEST_CASE("rigid bodies: what does not fit together is one sentence at its line"
     CHECK(says(refusal_of_block("rigid = true, size = { 1, 1, 1 }"), "model = \"box\""));
     CHECK(says(refusal_of_block("rigid = true, model = 'box', size = { 1, 0, 1 }"), "0.002"));
     CHECK(says(refusal_of_block("rigid = true, density = 600"), "give it a mass"));
+    CHECK(says(refusal_of_block("rigid = true, model = 'block', density = 600"),
+               "no volume is known of model = \"block\", only of \"box\" and \"sphere\"; did you "
+               "mean \"box\"? If not, give it a mass"));
     CHECK(says(refusal_of_block("rigid = true, model = 'box', density = 600, mass = 1"),
                "leave out one"));
     CHECK(says(refusal_of_block("rigid = true, mass = 0"), "0.001 to 10000"));

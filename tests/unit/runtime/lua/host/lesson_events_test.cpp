@@ -68,9 +68,9 @@ TEST_CASE(
     "events: a slot that no sentence of the question has is a mistake, one that was left out is "
     "nil") {
     const std::string question =
-        "L:question 'q' { prompt = '?', answers = { '[the] {thing} is {size:how}', 'it is {size}' "
-        "},\n"
-        "lists = { size = { 'big' } }, right = function(a) return ";
+        "L:question 'q' { prompt = '?', answers = { '[the] {thing} is {size:how}', 'it is {size} "
+        "[<where>]' }, rules = { where = 'on the {place}' },\n"
+        "lists = { size = { 'big' }, place = { 'table' } }, right = function(a) return ";
     const std::string start = "function L:start(world) world:body { name = 'egg' } end\n";
     const JudgeEvent judged{"q", {{"thing", "egg"}, {"how", "big"}}};
     const auto play = [&](const char* right) {
@@ -78,7 +78,7 @@ TEST_CASE(
         REQUIRE(lesson.load((start + question + right + " end }").c_str()) == "");
         return lesson.play(lesson.frame({judged}));
     };
-    CHECK(play("a.thing == 'egg' and a.how == 'big' and a.size == nil") == "");
+    CHECK(play("a.thing == 'egg' and a.how == 'big' and a.size == nil and a.place == nil") == "");
     CHECK_THAT(play("a.thnig == 'egg'"),
                Catch::Contains("lesson.lua:4: no sentence of the question \"q\" has {thnig}; did "
                                "you mean answer.thing?"));

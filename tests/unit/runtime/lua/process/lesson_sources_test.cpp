@@ -41,6 +41,9 @@ TEST_CASE("lesson sources: names that lead elsewhere, links, pipes and folders a
     CHECK_FALSE(sources.find_module("folder").found);
     CHECK(sources.find_module("nothing").problem ==
           "there is no nothing.lua beside the lesson nor in the library");
+    folder.write("know.lua", "return 1");
+    CHECK(sources.find_module("now").problem ==
+          "there is no now.lua beside the lesson nor in the library; did you mean \"know\"?");
 }
 
 TEST_CASE(

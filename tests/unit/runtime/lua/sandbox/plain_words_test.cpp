@@ -61,12 +61,32 @@ TEST_CASE("plain words: what Lua cannot read is told with what to do") {
     }
 }
 
+TEST_CASE("plain words: a { that is missing is told where it is missing") {
+    CHECK(load("L:question \"float\"\n  prompt = \"Which?\",\n  answers = { \"x\" },\n}") ==
+          "lesson.lua:2: the { behind L:question \"float\" is missing.");
+    CHECK(load("L:test\n\n  say = { \"x\" },\n  expect = { },\n}") ==
+          "lesson.lua:2: the { behind L:test is missing.");
+    CHECK(find_missing_brace("local w = world:body\n  name = 'x',\n", 2)->call ==
+          "local w = world:body");
+    // Not where all have it, nor where what follows is no field.
+    CHECK_FALSE(find_missing_brace("L:question \"a\" {\n  prompt = \"x\"\n  answers = 1 }", 3));
+    CHECK_FALSE(find_missing_brace("world:caption \"a\"\nscore = = 3", 2));
+    CHECK_FALSE(find_missing_brace("game.ask \"a\"\nscore = = 3", 2));
+    CHECK_FALSE(find_missing_brace("L:test\nprint(1)\nx = = 3", 3));
+    CHECK_FALSE(find_missing_brace("", 1));
+    CHECK_FALSE(find_missing_brace("\"\n'\n:", 3));
+}
+
 TEST_CASE("plain words: what fails while it runs is told with what to do") {
     const struct {
         const char *text, *sentence;
     } rows[] = {
         {"local t = {} t.a.b = 1",
-         "lesson.lua:2: attempt to index a nil value (field 'a'); a has no value here."},
+         "lesson.lua:2: attempt to index a nil value (field 'a'); a has no value here; where it "
+         "may be left out, ask first: if ….a then … end."},
+        {"local other = nil print(other.weight)",
+         "lesson.lua:2: attempt to index a nil value (local 'other'); other has no value here; "
+         "where it may be left out, ask first: if other then … end."},
         {"local t = { a = 1 } local k = \"b\" print(\"is \" .. t[k])",
          "lesson.lua:2: attempt to concatenate a nil value (field '?'); the table has nothing "
          "under "

@@ -164,6 +164,25 @@ TEST_CASE("labels: a force's words come first and stand left of its arrow") {
     CHECK(placed[1].box.x >= 640.0F + 30.0F);
 }
 
+TEST_CASE("labels: a torque's words do not hide its lever arm while there is room elsewhere") {
+    Font font = andika();
+    SceneLabel torque{{1000, 360}, 20, "1.1 N x 0.99 m = 1.09 N m", true};
+    torque.covers = {980, 310, 40, 100};
+    const auto box_with = [&](Point2 axis) {
+        torque.arm_from = axis;
+        torque.arm_to = {1000, 360};
+        const auto placed = place_labels({torque}, {}, font, Measure(1280, 720));
+        REQUIRE(placed.size() == 1);
+        return placed[0].box;
+    };
+    // It comes from the left, where the words would stand; right of the arrow there is no room for them.
+    const Box box = box_with({200, 380});
+    CHECK((box.y > 380.0F || box.bottom() < 340.0F));
+    CHECK_FALSE(overlap(box, torque.covers));
+    CHECK(box_with({1000, 360}).right() < 980.0F);  // no arm
+    CHECK(box_with({1000, 700}).right() < 980.0F);  // one from below
+}
+
 TEST_CASE("labels: each stands beside its own thing, over no other while there is room") {
     Font font = andika();
     const std::vector<SceneLabel> in_a_row = {

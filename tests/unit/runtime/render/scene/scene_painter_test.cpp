@@ -283,6 +283,59 @@ TEST_CASE("picture: the ghost is seen through") {
     CHECK(pixel_at(with, view, {-0.3, 0.4, 0.1}) == pixel_at(without, view, {-0.3, 0.4, 0.1}));
 }
 
+TEST_CASE("picture: a hand behind a thing is seen through it, one before it is as any thing is") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    const Vector3 behind{0.0, 0.4, -0.3};
+    const Vector3 before{0.0, 0.4, 0.3};
+    View view = nothing();
+    view.bodies = {body("green", {0.0, 0.4, 0.0})};
+    view.bodies.back().scale = {2.0, 2.0, 2.0};
+    const auto alone = pixel_at(studio->draw(view), view, behind);
+
+    view.tool_visible = true;
+    view.tool = body("red", behind);
+    const auto through = pixel_at(studio->draw(view), view, behind);
+    CHECK(through[0] > alone[0] + 30);
+    const auto edge = pixel_at(studio->draw(view), view, behind + Vector3(0.09, 0.0, 0.0));
+    CHECK(edge[0] > through[0]);  // its outline more than its middle
+
+    view.tool.pose_W.position = before;
+    const Image as_hand = studio->draw(view);
+    view.tool_visible = false;
+    view.bodies.push_back(view.tool);
+    const Image as_thing = studio->draw(view);
+    for (const double aside_m : {-0.08, -0.04, 0.0, 0.04, 0.08}) {
+        const Vector3 point = before + Vector3(aside_m, 0.0, 0.0);
+        CHECK(pixel_at(as_hand, view, point) == pixel_at(as_thing, view, point));
+    }
+    CHECK(glGetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("picture: what lies in the hand does not let it through") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    const Vector3 inside{0.0, 0.42, 0.0};
+    View view = nothing();
+    view.bodies = {body("green", inside)};
+    view.bodies.back().scale = {0.5, 0.5, 0.5};
+    const Vector3 seen = inside + Vector3(0.0, 0.0, 0.05);
+    const auto alone = pixel_at(studio->draw(view), view, seen);
+    // A flat hand behind and around it.
+    view.tool_visible = true;
+    view.tool = body("red", {0.0, 0.4, -0.12});
+    view.tool.scale = {2.0, 1.0, 1.5};
+    CHECK(pixel_at(studio->draw(view), view, seen) == alone);
+    view.tool.pose_W.position.y() += 0.1;  // higher than its lowest point: no longer held
+    view.tool.scale = {2.0, 3.0, 1.0};
+    view.tool.pose_W.position.z() = -0.5;
+    CHECK(pixel_at(studio->draw(view), view, seen) != alone);
+}
+
 TEST_CASE("picture: in space it is dark all around, with neither floor nor shadow") {
     const auto studio = open_studio();
     if (!studio) {

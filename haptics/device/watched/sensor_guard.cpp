@@ -1,4 +1,4 @@
-#include "haptics/link/sensor_guard.h"
+#include "haptics/device/watched/sensor_guard.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "haptics/link/sensor_guard.h"
+#include "haptics/device/watched/sensor_guard.h"
 
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/math/split_mix.h"
@@ -143,6 +143,68 @@ TEST_CASE("sensor guard: rounds that come unevenly make no shaking of an even mo
         const double x = std::round((0.5 * stamp_s) / 5.5e-5) * 5.5e-5;
         REQUIRE_FALSE(any(guard.step({x, 0.0, 0.0}, stamp_s, kPush)));
     }
+}
+
+TEST_CASE("sensor guard: rests that a step ends are short ones, however many there are") {
+    const auto steps = along_x([](double t_s) { return 1.0e-4 * std::floor(t_s / 0.04); });
+    SensorGuard trembles(kTrembling, 0.0);
+    CHECK_FALSE(any(watch(trembles, steps, push, 2.0).fault));
+    // Pushed anew after each step, and moved within the time for that.
+    const auto answers = along_x([](double t_s) { return 1.0e-4 * std::floor(t_s / 0.09); });
+    const auto pushes = along_x([](double t_s) { return std::fmod(t_s, 0.09) < 0.01 ? 0.0 : 3.0; });
+    SensorGuard pushed(kPushed, 0.0);
+    CHECK_FALSE(any(watch(pushed, answers, pushes, 2.0).fault));
+    // Also where the next push comes right after the step.
+    const auto turns =
+        along_x([](double t_s) { return std::fmod(t_s - 0.001, 0.18) < 0.09 ? 0.0 : 3.0; });
+    SensorGuard turned(kPushed, 0.0);
+    CHECK_FALSE(any(watch(turned, answers, turns, 2.0).fault));
+    // Nor is one long whose force goes in between.
+    const auto comes_and_goes =
+        along_x([](double t_s) { return std::fmod(t_s, 0.05) < 0.01 ? 0.0 : 3.0; });
+    SensorGuard felt(kTrembling, 0.0);
+    CHECK_FALSE(any(watch(felt, at_rest, comes_and_goes, 2.0).fault));
+    SensorGuard let_go(kPushed, 0.0);
+    CHECK_FALSE(any(watch(let_go, at_rest, comes_and_goes, 2.0).fault));
+}
+
+TEST_CASE("sensor guard: after a jump it begins anew, and nothing of before counts") {
+    double now_s = 0.0;
+    const auto step = [&now_s](SensorGuard& guard, double x, double force_N) {
+        now_s += 0.001;
+        return guard.step({x, 0.0, 0.0}, now_s, {force_N, 0.0, 0.0});
+    };
+    SensorGuard guard({0.05, 1.0, 300.0}, 0.0);
+    for (int i = 0; i < 100; ++i) {
+        (void)step(guard, 0.1, 0.5);
+    }
+    REQUIRE(guard.is_frozen());
+    guard.forget();
+    CHECK(step(guard, 0.1, 0.0) == Fault::none);
+    CHECK(step(guard, 0.1, 0.0) == Fault::none);
+    // A push that was not answered yet.
+    SensorGuard pushed(kPushed, 0.0);
+    (void)step(pushed, 0.1, 0.0);
+    for (int i = 0; i < 90; ++i) {
+        REQUIRE(step(pushed, 0.1, 3.0) == Fault::none);
+    }
+    pushed.forget();
+    (void)step(pushed, 0.1, 0.0);
+    for (int i = 0; i < 90; ++i) {
+        REQUIRE(step(pushed, 0.1, 3.0) == Fault::none);
+    }
+    // Turns, and which way the last one was.
+    SensorGuard shaken(kHandle, 0.0);
+    for (int i = 0; i < 4; ++i) {
+        (void)step(shaken, i % 2 == 0 ? 0.0 : 1.0e-3, 0.0);
+    }
+    REQUIRE(shaken.turns() > 0.9);
+    shaken.forget();
+    (void)step(shaken, 0.0, 0.0);
+    CHECK(shaken.turns() == 0.0);
+    (void)step(shaken, 1.0e-3, 0.0);
+    (void)step(shaken, 0.0, 0.0);
+    CHECK(shaken.turns() == 0.0);
 }
 
 TEST_CASE("sensor guard: what is no number or not later is not counted") {

@@ -1,0 +1,296 @@
+#include "haptics/tool/god_motion.h"
+
+#include "haptics/math/rotation.h"
+#include "tests/support/god_scene.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+const Vector3 kCube_m(0.04, 0.04, 0.04);
+const MovingFrame kBlock{Pose::at({0.0, -0.02, 0.0}), {}};  // its top is y = 0
+
+GodMotion make_motion(GodChannels* channels, double friction = 0.0) {
+    std::vector<GodObjectPlan> plans{{GodSurface::create(make_box({0.2, 0.04, 0.2}).value()),
+                                      GodSurface::create(make_box(kCube_m).value())}};
+    plans.front().friction = {.static_coefficient = friction, .dynamic_coefficient = friction};
+    return GodMotion(plans, test::make_god_settings(make_box_inertia(0.02, kCube_m)), channels);
+}
+
+Pose at_height(double height_m) {
+    return Pose::at({0.01, 0.5 * kCube_m.y() + height_m, 0.0});
+}
+
+}  // namespace
+
+TEST_CASE("god motion: what it tells of a cube on a block are its four corners, at rest there") {
+    const double gap_m = GodObjectSettings{}.gap_m;
+    GodMotion motion = make_motion(nullptr, 0.3);
+    const auto set = std::make_unique<GodContactSet>();
+    motion.place(at_height(0.01));
+    motion.tell(*set);
+    CHECK(set->n == 0);
+    CHECK_FALSE(set->is_near);
+    for (int i = 0; i < 60; ++i) {
+        REQUIRE(motion.move(at_height(-0.002), {&kBlock, 1}, false));
+    }
+    motion.tell(*set);
+    CHECK(set->n_objects == 1);
+    CHECK(set->objects[0].object_W.position == kBlock.pose_W.position);
+    CHECK(set->tool_W.position.y() - 0.5 * kCube_m.y() == Approx(gap_m).epsilon(0.05));
+    CHECK(set->is_near);
+    CHECK(set->step.settled);
+    CHECK(set->step.contacts == set->n);
+    REQUIRE(set->n == 4);
+    for (const GodPress& press : set->all()) {
+        CHECK(press.object == 0);
+        CHECK((press.normal_W - Vector3::UnitY()).norm() < 1e-9);
+        CHECK((press.arm_W.cwiseAbs() - 0.5 * kCube_m).norm() < 1e-9);
+        CHECK(press.arm_W.y() < 0.0);
+        // On top of the block, below the corner.
+        const Vector3 on_object_W = set->objects[0].object_W * press.on_object_O;
+        CHECK((on_object_W - (set->tool_W.position + press.arm_W)).norm() < 2.0 * gap_m);
+        CHECK(press.least_m <= 0.0);
+        CHECK(press.least_m > -0.1 * gap_m);
+        CHECK(press.share > 0.9);
+        CHECK(press.friction == 0.3);
+    }
+    // Over it, by what it was before the step and is after it.
+    CHECK((set->objects[0].to_OT.position.y() - 0.5 * kCube_m.y() - 0.02) ==
+          Approx(gap_m).epsilon(0.05));
+}
+
+TEST_CASE(
+    "god motion: between a floor and a ceiling two gaps wider than the tool nothing holds it along "
+    "them, and they push no more than they must") {
+    constexpr double kSide_m = 0.04;
+    const double gap_m = GodObjectSettings{}.gap_m;
+    // Plates that lie askew a few metres from their origins: so far do their normals' differences round.
+    const Quaternion turn(compute_exp({0.3, -0.7, 0.4}));
+    const auto make_plate_at = [&](double y) {
+        std::vector<Vector3> vertices = make_box({0.5, 0.1, 0.4}).value().vertices_B();
+        for (Vector3& v : vertices) {
+            v = turn * (v + Vector3(3.1, y, -2.7));
+        }
+        return TriangleMesh::build(std::move(vertices), make_box({1, 1, 1}).value().triangles())
+            .value();
+    };
+    const auto at = [&](double x, double y, double z, const Vector3& turned = Vector3::Zero()) {
+        return Pose{turn * Vector3(3.1 + x, y, -2.7 + z), turn * compute_exp(turned)};
+    };
+    test::GodScene scene(
+        make_box(Vector3::Constant(kSide_m)).value(), {make_plate_at(-0.05), make_plate_at(0.05)},
+        test::make_sudden_settings(make_box_inertia(0.05, Vector3::Constant(kSide_m))));
+    const double rest_m = 0.5 * kSide_m + gap_m;
+    const auto lower_ceiling = [&](double room_m) {
+        scene.frames[1].pose_W = Pose::at(turn * Vector3(0.0, kSide_m + 2.0 * gap_m + room_m, 0.0));
+    };
+    lower_ceiling(1.0e-3);
+    scene.god.place(at(0.0, rest_m + 5.0e-4, 0.0));
+    for (int i = 0; i < 100; ++i) {
+        (void)scene.step(at(0.0, rest_m - 0.002, 0.0));
+    }
+    for (int i = 0; i < 100; ++i) {
+        lower_ceiling(std::max(1.0e-3 * (1.0 - i / 50.0), 0.0));
+        (void)scene.step(at(0.0, rest_m - 0.002, 0.0));
+    }
+    Random random(23);
+    int n_between = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Pose before = scene.god.pose_W();
+        const Pose handle = at(0.05 * std::sin(0.05 * i), rest_m + 0.002 * random.uniform(),
+                               0.04 * std::sin(0.037 * i), 0.02 * random.in_cube());
+        const ToolFelt felt = scene.step(handle);
+        CAPTURE(i, scene.god.last_step().rounds, scene.god.last_step().contacts);
+        REQUIRE_FALSE(scene.is_inside());
+        const Vector3 gone = turn.conjugate() * (scene.god.pose_W().position - before.position);
+        const Vector3 free = 0.5 * (turn.conjugate() * (handle.position - before.position));
+        REQUIRE(std::abs(gone.x() - free.x()) + std::abs(gone.z() - free.z()) < 1.0e-7);
+        const Wrench& floor = scene.god.touches()[0].wrench_W;
+        const Wrench& ceiling = scene.god.touches()[1].wrench_W;
+        REQUIRE((floor.force + ceiling.force - felt.felt_W.force).norm() <
+                1.0e-6 * (1.0 + felt.felt_W.force.norm()));
+        // A turn of 0.02 rad is held by a couple over the cube's side.
+        REQUIRE(floor.force.norm() + ceiling.force.norm() < 20.0);
+        n_between += scene.god.touches()[0].touches && scene.god.touches()[1].touches ? 1 : 0;
+    }
+    CHECK(n_between > 100);
+}
+
+TEST_CASE("god motion: near is what is within sixteen gaps, told where that is asked") {
+    const double gap_m = GodObjectSettings{}.gap_m;
+    const auto set = std::make_unique<GodContactSet>();
+    const auto is_near = [&](double height_m, bool asks) {
+        GodMotion motion = make_motion(nullptr);
+        motion.place(at_height(height_m));
+        REQUIRE(motion.move(at_height(height_m), {&kBlock, 1}, asks));
+        motion.tell(*set);
+        CHECK(set->n == 0);
+        return set->is_near;
+    };
+    CHECK(is_near(10.0 * gap_m, true));
+    CHECK_FALSE(is_near(10.0 * gap_m, false));
+    CHECK_FALSE(is_near(30.0 * gap_m, true));
+}
+
+TEST_CASE("god motion: by goals it goes as by steps, to the bit, and its answers name them") {
+    GodChannels channels;
+    GodMotion beside = make_motion(&channels);
+    GodMotion in_line = make_motion(nullptr);
+    CHECK_FALSE(in_line.run_once());
+    CHECK_FALSE(beside.run_once());
+    const auto expected = std::make_unique<GodContactSet>();
+    GodGoal goal;
+    goal.n_objects = 1;
+    goal.objects[0] = kBlock;
+    for (std::uint32_t placement = 1; placement <= 2; ++placement) {
+        goal.n_placements = placement;
+        goal.placed_W = at_height(0.005 * placement);
+        in_line.place(goal.placed_W);
+        for (int i = 0; i < 40; ++i) {
+            goal.stamp_s = placement + kDt_s * i;
+            goal.held_W = Pose::at({0.001 * i, 0.5 * kCube_m.y() - 0.001, 0.0});
+            channels.goal.publish(goal);
+            REQUIRE(beside.run_once());
+            REQUIRE(channels.set.take());
+            const GodContactSet& set = channels.set.value();
+            CHECK(set.stamp_s == goal.stamp_s);
+            CHECK(set.n_placements == placement);
+            CHECK(set.is_apart);
+            REQUIRE(in_line.move(goal.held_W, {&kBlock, 1}, true));
+            in_line.tell(*expected);
+            REQUIRE(set.tool_W.position == expected->tool_W.position);
+            REQUIRE(set.n == expected->n);
+            REQUIRE(set.is_near == expected->is_near);
+        }
+        CHECK(channels.set.value().n == 4);
+    }
+    // Put into the block it stands still, and says so.
+    goal.n_placements = 3;
+    goal.placed_W = Pose::at({0.0, 0.0, 0.0});
+    channels.goal.publish(goal);
+    REQUIRE(beside.run_once());
+    REQUIRE(channels.set.take());
+    CHECK_FALSE(channels.set.value().is_apart);
+    CHECK(channels.set.value().n == 0);
+    CHECK(channels.set.value().tool_W.position == Vector3::Zero());
+}
+
+TEST_CASE(
+    "god motion: where more press than there is room for, all objects are told of where they are") {
+    // A bed of 625 nails of four corners each.
+    const TriangleMesh nail = make_box({0.002, 0.002, 0.002}).value();
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    for (int i = 0; i < 625; ++i) {
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        for (const Vector3& v : nail.vertices_B()) {
+            vertices.push_back(v + 0.004 * Vector3(i % 25 - 12, 0.0, i / 25 - 12));
+        }
+        for (const TriangleCorners& t : nail.triangles()) {
+            triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        }
+    }
+    const auto bed =
+        GodSurface::create(TriangleMesh::build(std::move(vertices), std::move(triangles)).value());
+    const auto block = GodSurface::create(make_box({0.2, 0.04, 0.2}).value());
+    const std::vector<GodObjectPlan> plans{{block, bed}, {block, bed}};
+    GodObjectSettings settings = test::make_god_settings(make_box_inertia(0.02, {0.1, 0.01, 0.1}));
+    settings.most_contacts = 4096;
+    GodMotion motion(plans, settings, nullptr);
+    const std::vector<MovingFrame> objects{kBlock, {Pose::at({1.0, 2.0, 3.0}), {}}};
+    const auto at = [](double height_m) { return Pose::at({0.0, 0.001 + height_m, 0.0}); };
+    motion.place(at(1.0e-4));
+    for (int i = 0; i < 30; ++i) {
+        REQUIRE(motion.move(at(-1.0e-4), objects, false));
+    }
+    const auto set = std::make_unique<GodContactSet>();
+    motion.tell(*set);
+    REQUIRE(static_cast<std::size_t>(set->n) == kMostPresses);
+    CHECK(set->step.too_many);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        CHECK(set->objects[i].object_W.position == objects[i].pose_W.position);
+    }
+}
+
+TEST_CASE(
+    "god motion: of a cube that leans by less than a gap the corners press that nothing is lower "
+    "than") {
+    const double gap_m = GodObjectSettings{}.gap_m;
+    GodMotion motion = make_motion(nullptr);
+    const double lean_rad = 0.8 * gap_m / kCube_m.x();
+    const auto at = [&](double lowest_m) {
+        Pose pose = at_height(lowest_m + 0.5 * kCube_m.x() * lean_rad);
+        pose.orientation = compute_exp(Vector3(0.0, 0.0, lean_rad));
+        return pose;
+    };
+    motion.place(at(1.0e-4));
+    for (int i = 0; i < 80; ++i) {
+        REQUIRE(motion.move(at(1.1 * gap_m), {&kBlock, 1}, false));
+    }
+    const auto set = std::make_unique<GodContactSet>();
+    motion.tell(*set);
+    REQUIRE(set->n == 2);
+    for (const GodPress& press : set->all()) {
+        CHECK(press.arm_W.x() < 0.0);
+    }
+    CHECK(set->step.contacts == 4);
+}
+
+TEST_CASE("god motion: what stopped nearer than a gap is not told to push the tool away") {
+    const double gap_m = GodObjectSettings{}.gap_m;
+    GodObjectSettings settings = test::make_god_settings(make_box_inertia(0.02, kCube_m));
+    settings.most_rounds = 1;
+    GodMotion motion({{GodSurface::create(make_box({0.2, 0.04, 0.2}).value()),
+                       GodSurface::create(make_box(kCube_m).value())}},
+                     settings, nullptr);
+    motion.place(at_height(0.01));
+    REQUIRE(motion.move(at_height(-0.05), {&kBlock, 1}, false));
+    const auto set = std::make_unique<GodContactSet>();
+    motion.tell(*set);
+    REQUIRE(set->n == 4);
+    CHECK(set->step.least_gap_m < 0.6 * gap_m);
+    for (const GodPress& press : set->all()) {
+        CHECK(press.least_m == 0.0);
+    }
+}
+
+TEST_CASE(
+    "god motion: between walls that leave it less than a gap on either side it goes along them all "
+    "the same") {
+    const double gap_m = GodObjectSettings{}.gap_m;
+    const auto block = GodSurface::create(make_box({0.2, 0.04, 0.2}).value());
+    const auto cube = GodSurface::create(make_box(kCube_m).value());
+    GodMotion motion({{block, cube}, {block, cube}},
+                     test::make_god_settings(make_box_inertia(0.02, kCube_m)), nullptr);
+    const auto between = [&](double room_m) {
+        return std::vector<MovingFrame>{kBlock,
+                                        {Pose::at({0.0, kCube_m.y() + room_m + 0.02, 0.0}), {}}};
+    };
+    Pose held = at_height(5.0 * gap_m);
+    motion.place(held);
+    for (int i = 0; i < 100; ++i) {
+        const double room_m = std::max(10.0 - 0.2 * i, 1.2) * gap_m;
+        held = at_height(0.5 * room_m);
+        REQUIRE(motion.move(held, between(room_m), false));
+    }
+    const auto set = std::make_unique<GodContactSet>();
+    motion.tell(*set);
+    REQUIRE_FALSE(set->step.wedged);
+    REQUIRE(set->step.least_gap_m < gap_m);
+    held.position.x() += 0.001;
+    for (int i = 0; i < 30; ++i) {
+        REQUIRE(motion.move(held, between(1.2 * gap_m), false));
+    }
+    motion.tell(*set);
+    CHECK(set->tool_W.position.x() == Approx(held.position.x()).margin(1.0e-6));
+}
