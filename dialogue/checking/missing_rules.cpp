@@ -175,6 +175,8 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
     const bool equal =
         named && !has_verb_from(sentence, 0) &&
         ((sentence.is(at, {"the"}) && (sentence.is(at + 1, {"same", "most"}) ||
+                                       (sentence[at + 1].degree == Degree::comparative &&
+                                        sentence.is(at + 2, {"of"})) ||
                                        sentence[at + 1].degree == Degree::superlative ||
                                        noun_phrase_at(sentence, at).last == sentence.size())) ||
          (sentence.is(at, {"a", "an"}) && sentence[subject.head - 1].degree != Degree::positive &&
@@ -199,7 +201,11 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
     // "When the wind stronger".
     const bool grows = joined && subject.determined && word.degree == Degree::comparative &&
                        is_physical(word.adjective) && sentence.ends_at(at) && !sentence.asks();
-    if (compared || with_more || equal || superlative || the_one || plain || too || listed ||
+    // "When the weight more than the lift".
+    const bool outweighs = sentence.is(at, {"more", "less"}) && sentence.is(at + 1, {"than"}) &&
+                           is_measured(sentence[at - 1].text) && !has_verb_from(sentence, i) &&
+                           !sentence.asks();
+    if (outweighs || compared || with_more || equal || superlative || the_one || plain || too || listed ||
         grows || explained) {
         proposals.insert(at, ErrorCode::missing_verb, be);
     }
@@ -240,6 +246,21 @@ void find_missing_behind(const FreeSentence& sentence, int i, Proposals& proposa
         !sentence[i - 1].mainly_verb() &&
         !sentence.is(i - 1, {"make", "makes", "made", "is", "get"})) {
         proposals.insert(i + 1, ErrorCode::missing_verb, "is");
+    }
+}
+
+/// "Pressing far from the support easier": what one does has a verb of its own too.
+void find_missing_behind_doing(const FreeSentence& sentence, Proposals& proposals) {
+    const int last = sentence.size() - 1;
+    const FreeWord& word = sentence[last];
+    bool at_place = false;
+    for (int i = 1; i < last; ++i) {
+        at_place = at_place || sentence.is(i, {"near", "far", "from", "at", "on", "close"});
+    }
+    if (sentence.is(0, {"pushing", "pressing", "pulling", "lifting", "moving", "turning"}) &&
+        at_place && word.degree == Degree::comparative && is_physical(word.adjective) &&
+        !has_verb_from(sentence, 1) && !sentence.asks()) {
+        proposals.insert(last, ErrorCode::missing_verb, "is");
     }
 }
 
@@ -347,6 +368,7 @@ void find_missing_words(const FreeSentence& sentence, Proposals& proposals) {
         find_missing_there(sentence, i, proposals);
     }
     find_missing_between(sentence, proposals);
+    find_missing_behind_doing(sentence, proposals);
     find_missing_in_question(sentence, proposals);
 }
 

@@ -78,7 +78,7 @@ constexpr std::array kIrregularPlurals = {
     PluralPair{"grandchild", "grandchildren"},
 };
 
-constexpr std::array<std::string_view, 138> kMass = {
+constexpr std::array<std::string_view, 142> kMass = {
     "water",       "air",        "wood",      "metal",      "iron",      "steel",     "gold",
     "silver",      "copper",     "plastic",   "paper",      "rubber",    "cotton",    "wool",
     "leather",     "glass",      "sand",      "oil",        "milk",      "juice",     "tea",
@@ -98,7 +98,8 @@ constexpr std::array<std::string_view, 138> kMass = {
     "pork",        "lemonade",   "petrol",    "coal",       "zinc",      "nickel",    "sulphur",
     "carbon",      "nitrogen",   "steam",     "smoke",      "fog",       "ink",       "glue",
     "soap",        "toothpaste", "hay",       "lightning",  "thunder",   "sunlight",  "sunshine",
-    "rubbish",     "garbage",    "blood",     "vinegar",    "spinach"};
+    "rubbish",     "garbage",    "blood",     "vinegar",    "spinach",   "lift",      "drag",
+    "tension",     "friction"};
 
 /// Materials whose plural means kinds of them: metals are hard. (Glasses and papers are other things.)
 constexpr std::array<std::string_view, 4> kHasKinds = {"metal", "plastic", "juice", "cheese"};

@@ -87,6 +87,10 @@ struct Mark {
 [[nodiscard]] Mark mark_answer(const Question& question, std::string_view text,
                                double confidence = 1.0);
 
+/// The same as one sentence, whatever stops are in it.
+[[nodiscard]] Mark mark_sentence(const Question& question, std::string_view text,
+                                 double confidence = 1.0);
+
 /// The same for somebody of whom only the meaning was heard: no errors of form, and no proof of a right form.
 [[nodiscard]] Mark without_form(Mark mark);
 

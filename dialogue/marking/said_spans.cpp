@@ -16,6 +16,8 @@ namespace {
 
 constexpr auto kShortened = std::to_array<std::string_view>(
     {"mr", "mrs", "ms", "dr", "prof", "st", "vs", "approx", "e.g", "i.e"});
+constexpr auto kForThing =
+    std::to_array<std::string_view>({"it", "they", "he", "she", "this", "that", "these", "those"});
 constexpr auto kReasonWords = std::to_array<std::string_view>({"because", "cause", "cos", "coz"});
 constexpr auto kVerbs = std::to_array<std::string_view>(
     {"is", "are", "has", "have", "weighs", "weigh", "feels", "feel", "does", "do"});
@@ -106,6 +108,15 @@ std::vector<SaidSpan> said_sentences(std::string_view text, bool clauses) {
     }
     add(begin, text.size());
     return spans;
+}
+
+std::optional<SaidSpan> find_pronoun(std::string_view text) {
+    for (const Token& token : tokenise(text)) {
+        if (contains(kForThing, token.text)) {
+            return SaidSpan{token.begin, token.end};
+        }
+    }
+    return std::nullopt;
 }
 
 bool has_sentence_end(std::string_view text) {

@@ -29,6 +29,9 @@ struct SaidList {
 /// The list at the end of `text`, of names of some words each; none where there is none, or where something in it says "not".
 [[nodiscard]] std::optional<SaidList> list_behind(std::string_view text);
 
+/// The first pronoun of `text` that stands for a thing: "it", "they", "this".
+[[nodiscard]] std::optional<SaidSpan> find_pronoun(std::string_view text);
+
 /// A sentence ends in `text`, or at its edge.
 [[nodiscard]] bool has_sentence_end(std::string_view text);
 

@@ -17,10 +17,6 @@ namespace fulcrum::dialogue {
 
 inline constexpr std::size_t kMostSentences_said = 5;  ///< of one answer
 
-/// Marks `text` as one sentence, whatever stops are in it.
-[[nodiscard]] Mark mark_sentence(const Question& question, std::string_view text,
-                                 double confidence = 1.0);
-
 /// The same answer as `whole`, sentence by sentence, where that is understood better than `whole`; else none.
 [[nodiscard]] std::optional<Mark> mark_sentences(const Question& question, const Mark& whole);
 

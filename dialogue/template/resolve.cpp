@@ -299,6 +299,20 @@ bool is_missing_there(const Piece& verb, const std::string& late) {
                                     : verb.element.passive && says(verb.right));
 }
 
+/// "The key is metal made": nothing is missed in "is metal", so "made" and its "of" belong in between.
+void put_making_back(std::vector<Piece>& pieces, int late) {
+    Piece& piece = pieces[static_cast<std::size_t>(late)];
+    const auto between = std::find_if(pieces.begin(), pieces.begin() + late, [](const Piece& word) {
+        return word.element.passive && word.element.role == Role::word && word.said.empty() &&
+               word.right.empty();
+    });
+    if (piece.element.passive && between != pieces.begin() + late) {
+        between->right = "made of";
+        std::swap(between->code, piece.code);
+        std::swap(between->cost, piece.cost);
+    }
+}
+
 /// A verb that is missing in its place and comes later is one error, of order.
 void settle_order(std::vector<Piece>& pieces, int late) {
     Piece& piece = pieces[static_cast<std::size_t>(late)];
@@ -314,6 +328,8 @@ void settle_order(std::vector<Piece>& pieces, int late) {
     if (moved) {
         piece.code = ErrorCode::none;
         piece.cost = 0;
+    } else {
+        put_making_back(pieces, late);
     }
 }
 

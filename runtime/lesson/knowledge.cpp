@@ -53,12 +53,16 @@ void add_materials(const LessonDescription& lesson, dialogue::NamedLists& lists)
             words.push_back(word);
         }
     };
+    const bool has_stone = std::ranges::any_of(
+        lesson.materials, [](const auto& own) { return own.felt.name == "stone"; });
+    const auto add_material = [&](const std::string& name) {
+        add(name == "rock" && !has_stone ? "rock|stone" : name);
+    };
     for (const MaterialDescription& own : lesson.materials) {
-        add(own.felt.name);
+        add_material(own.felt.name);
     }
-    const bool has_stone = std::ranges::find(words, "stone") != words.end();
     for (const Material& shipped : shipped_materials()) {
-        add(shipped.name == "rock" && !has_stone ? "rock|stone" : shipped.name);
+        add_material(shipped.name);
     }
     for (const char* everyday : kEverydayMaterials) {
         add(everyday);

@@ -70,6 +70,11 @@ TEST_CASE(
           "M:VERB => When we press far from it it *is* easier."},
          {"It fell because there more weight.",
           "M:VERB => It fell because there *is* more weight."},
+         {"The apple the heavier of the two.", "M:VERB => The apple *is* the heavier of the two."},
+         {"It fell as the weight more than the lift.",
+          "M:VERB => It fell as the weight *is* more than the lift."},
+         {"Pressing it far from the support easier.",
+          "M:VERB => Pressing it far from the support *is* easier."},
          {"Is the weight of the line.", "M:PRON => *It is* the weight of the line."},
          {"Is made out of glass.", "M:PRON => *It is* made out of glass."}});
     check_right({"A bit bigger than without the wind.", "The planets orbit the Sun.",
@@ -77,7 +82,9 @@ TEST_CASE(
                  "It is easier when the arm is longer.",
                  "It pulls more when the wind gets stronger.",
                  "The egg and the apple are the same.", "It moves as the hand it follows.",
-                 "The longer the arm, the easier it is."});
+                 "The longer the arm, the easier it is.", "Pressing it harder.",
+                 "Pushing it far from the support is easier.",
+                 "I feel the weight more than the lift.", "The heavier of the two."});
 }
 
 TEST_CASE("free English: there is, behind because") {

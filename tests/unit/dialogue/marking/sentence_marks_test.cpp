@@ -14,24 +14,6 @@ using namespace fulcrum::dialogue;
 
 namespace {
 
-/// "right", "wrong" or "?" where only `right` values are right, and the errors of form.
-std::string verdict_on(const Question& question, const std::string& said,
-                       const std::vector<std::string>& right) {
-    Mark mark = mark_answer(question, said);
-    if (!mark.understood) {
-        return "?";
-    }
-    std::vector<bool> verdicts;
-    for (const Slots& reading : readings_of(mark)) {
-        verdicts.push_back(std::ranges::any_of(reading, [&](const auto& slot) {
-            return std::ranges::find(right, slot.second) != right.end();
-        }));
-    }
-    const std::string errors = codes_of(mark);
-    return std::string(settle(mark, verdicts) ? "right" : "wrong") +
-           (errors.empty() ? "" : " " + errors);
-}
-
 Question planets() {
     return compiled({"planets",
                      "How many planets are there?",

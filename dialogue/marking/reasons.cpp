@@ -1,0 +1,63 @@
+#include "dialogue/marking/reasons.h"
+
+#include "dialogue/english/word_table.h"
+#include "dialogue/marking/said_parts.h"
+#include "dialogue/template/tokens.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::dialogue {
+namespace {
+
+constexpr auto kBeginReasons =
+    std::to_array<std::string_view>({"because", "cause", "cos", "coz", "since"});
+
+/// The clause of a reason that was let pass, behind "because"; with what was answered in place of its pronoun: "it is lighter", "the apple is
+/// lighter", "apple is lighter". None of "so that it flies".
+std::vector<std::string> clauses_of_reason(const Mark& whole) {
+    const std::vector<Token> words = tokenise(whole.unread);
+    if (words.size() < 2 || !contains(kBeginReasons, words.front().text)) {
+        return {};
+    }
+    const std::string clause = whole.unread.substr(words[1].begin);
+    std::vector<std::string> clauses = {clause};
+    if (const auto pronoun = find_pronoun(clause); pronoun && whole.slots.size() == 1) {
+        const std::string& value = whole.slots.front().second;
+        for (const std::string& noun : {"the " + value, value}) {
+            clauses.push_back(clause);
+            clauses.back().replace(pronoun->begin, pronoun->end - pronoun->begin, noun);
+        }
+    }
+    return clauses;
+}
+
+}  // namespace
+
+std::optional<Mark> mark_with_reason(const Question& question, const Mark& whole) {
+    if (whole.claim != Claim::same) {
+        return std::nullopt;
+    }
+    for (const std::string& clause : clauses_of_reason(whole)) {
+        auto parts = read_parts(question, clause, {{0, clause.size()}});
+        if (!parts || parts->empty()) {
+            continue;
+        }
+        parts->insert(parts->begin(), {whole, false});
+        auto joined = joined_mark(std::move(*parts), whole);
+        if (!joined || joined->claim != Claim::every) {
+            return std::nullopt;
+        }
+        Mark mark = whole;
+        mark.claim = joined->claim;
+        mark.readings = std::move(joined->readings);
+        mark.denied = std::move(joined->denied);
+        return mark;
+    }
+    return std::nullopt;
+}
+
+}  // namespace fulcrum::dialogue
