@@ -207,7 +207,7 @@ bool PairContacts::find_far_corner(std::size_t n_points, double lowest_m, const 
         if (height_m > lowest_m + band_m) {
             continue;
         }
-        const Vector3 place = point_at(i);
+        const Vector3& place = point_at(i);
         // The first is the deepest; of both ends of an edge, the first.
         if (n_tried_ == 0) {
             if (height_m < lowest_seen_m - kAsDeep * pieces_.within_m) {

@@ -31,6 +31,18 @@ std::optional<double> find_replayed_scale(const RunRequest& request, std::size_t
     return is_number ? std::optional(scale) : std::nullopt;
 }
 
+// What is asked of that hand; of one that the record is `alone` for, with what that has of it.
+Expected<RunRequest> whole_request(const RunRequest& request, std::size_t hand,
+                                   const std::shared_ptr<const Record>& alone) {
+    RunRequest own = of_hand(request, hand);
+    if (!alone) {
+        return with_record(std::move(own));
+    }
+    own.replayed = alone;
+    own.fit.scale = own.fit.scale ? own.fit.scale : find_replayed_scale(request, hand);
+    return own;
+}
+
 // What the last gate lets through: the least of device, place and lesson.
 SafetySettings felt_limits_of(const HapticLoop& loop, const HapticPlan& plan) {
     SafetySettings limits = plan.safety;
@@ -46,16 +58,10 @@ SafetySettings felt_limits_of(const HapticLoop& loop, const HapticPlan& plan) {
 Expected<void> LessonRun::open_more_hands(const Places& places, const RunRequest& request,
                                           ProgressStore& store) {
     for (std::size_t hand = 1; hand <= plan_.more_hands.size(); ++hand) {
-        RunRequest own = of_hand(request, hand);
         const std::shared_ptr<const Record> alone = find_replayed(request, hand);
-        auto whole = alone ? Expected<RunRequest>(own) : with_record(own);
+        const auto whole = whole_request(request, hand, alone);
         if (!whole) {
             return tl::unexpected(whole.error());
-        }
-        if (alone) {
-            whole->replayed = alone;
-            whole->fit.scale =
-                whole->fit.scale ? whole->fit.scale : find_replayed_scale(request, hand);
         }
         const RunRequest fitted = with_kept_fit(*whole, store);
         if (auto scaled = scale_as_said(places, request, hand, fitted.fit); !scaled) {

@@ -39,6 +39,19 @@ Expected<std::vector<AnswerChoice>> LessonRun::make_choices() {
     });
 }
 
+namespace {
+
+// How often a simulated learner errs, where one was asked for or the lesson's own test, null where it is not played, has one.
+std::optional<LearnerRates> find_pupil_rates(const RunRequest& request,
+                                             const LessonTestDescription* own_test) {
+    if (request.learner_rates || own_test == nullptr) {
+        return request.learner_rates;
+    }
+    return own_test->learner;
+}
+
+}  // namespace
+
 // Whose answers: a learner who errs at some rate, the words of the lesson's own test, or those that were given.
 void LessonRun::choose_pupil(const LessonDescription& description, const RunRequest& request) {
     if (repeats_input(request)) {
@@ -47,9 +60,8 @@ void LessonRun::choose_pupil(const LessonDescription& description, const RunRequ
     }
     const bool plays_own_test =
         request.own_test && !description.tests.empty() && request.plan.hearing.recordings.empty();
-    const std::optional<LearnerRates> rates = request.learner_rates ? request.learner_rates
-                                              : plays_own_test ? description.tests.front().learner
-                                                               : std::nullopt;
+    const std::optional<LearnerRates> rates =
+        find_pupil_rates(request, plays_own_test ? &description.tests.front() : nullptr);
     if (rates && request.say.empty()) {
         pupil_.emplace(LearnerModel(*rates, request.seed));
         say_line_ = plays_own_test ? description.tests.front().line : 0;

@@ -235,6 +235,7 @@ const CommandWord* find_command(std::string_view word) {
 
 std::vector<std::string> command_words() {
     std::vector<std::string> words;
+    words.reserve(kCommands.size());
     for (const CommandWord& command : kCommands) {
         words.emplace_back(command.word);
     }

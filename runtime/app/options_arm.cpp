@@ -65,6 +65,21 @@ std::optional<Expected<void>> set_fit_value(Options& options, const std::string&
     return set_fit(options.more_fits.back(), name, value);
 }
 
+namespace {
+
+Expected<void> set_only_process(Options& options, const std::string& flag,
+                                const std::string& value) {
+    return number_in(flag, value, 1.0, kMostProcess).and_then([&](double id) -> Expected<void> {
+        options.only_process = static_cast<int>(id);
+        // A part of a number would be another process.
+        return *options.only_process == id
+                   ? Expected<void>{}
+                   : fail(flag + " is \"" + value + "\"", "", "give a process's number");
+    });
+}
+
+}  // namespace
+
 std::optional<Expected<void>> set_arm_value(Options& options, const std::string& flag,
                                             const std::string& value) {
     ArmOptions& arm = options.arm;
@@ -73,13 +88,7 @@ std::optional<Expected<void>> set_arm_value(Options& options, const std::string&
         return Expected<void>{};
     }
     if (flag == "--only") {
-        return number_in(flag, value, 1.0, kMostProcess).and_then([&](double id) -> Expected<void> {
-            options.only_process = static_cast<int>(id);
-            // A part of a number would be another process.
-            return *options.only_process == id
-                       ? Expected<void>{}
-                       : fail(flag + " is \"" + value + "\"", "", "give a process's number");
-        });
+        return set_only_process(options, flag, value);
     }
     if (flag == "--seeds") {
         return number_in(flag, value, 1.0, 1.0e6).map([&](double n) {
