@@ -32,6 +32,7 @@ std::vector<Proposal> propose(const Lexicon& lexicon, const FreeSentence& senten
     find_comparison_errors(lexicon, sentence, proposals);
     find_order_errors(sentence, proposals);
     find_missing_words(sentence, proposals);
+    find_verbless_clauses(sentence, proposals);
     find_making_errors(sentence, proposals);
     find_agreement_errors(sentence, proposals);
     find_verb_form_errors(sentence, proposals);

@@ -68,14 +68,18 @@ void find_auxiliary(const FreeSentence& sentence, Proposals& proposals) {
     }
     const int of = sentence.is(made + 1, {"out"}) ? made + 2 : made + 1;
     int named = of + 1;
-    while (sentence[named].mainly_adjective() && !is_material(sentence.text(named))) {
+    while (!is_material(sentence.text(named)) &&
+           (sentence[named].mainly_adjective() || is_physical(sentence.text(named)))) {
         ++named;  // "of thick paper"
     }
     const int material = material_at(sentence, named);
     const bool plural =
         pronoun ? sentence.is(0, {"they", "these"}) : subject.number == Number::plural;
     const std::string be = plural ? "are" : "is";
-    if (material < 0 || !(material + 1 >= sentence.size())) {
+    const bool ends = material >= 0 && material + 1 >= sentence.size();
+    // "It made of cloth", of whatever that is.
+    const bool surely = pronoun && sentence.is(1, {"made"}) && sentence.is(2, {"of"});
+    if (!ends && !surely) {
         return;
     }
     if (sentence.is(made, {"made"})) {

@@ -1,4 +1,4 @@
-// A word that is missing in a free sentence, its verb or the pronoun before it, or a pronoun said beside its noun.
+// A word that is missing in a free sentence that begins with its subject, its verb or the pronoun before it, or a pronoun said beside its noun.
 #include "dialogue/checking/grammar_words.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
@@ -17,17 +17,6 @@ bool is_subject(const FreeSentence& sentence, int i) {
 
 std::string be_of(std::string_view pronoun) {
     return pronoun == "i" ? "am" : (is_third_singular(pronoun) ? "is" : "are");
-}
-
-/// A finite verb stands at `i` or behind it.
-bool has_verb_from(const FreeSentence& sentence, int i) {
-    for (; i < sentence.size(); ++i) {
-        if (sentence.be_at(i) || sentence.is(i, {"has", "have", "does", "do"}) ||
-            (sentence[i].verb_in_s && sentence[i].mainly_verb())) {
-            return true;
-        }
-    }
-    return false;
 }
 
 /// Behind the adjectives that begin at `i` and are all that follows, "hard, smooth and slippery", with commas or without: how many they are; 0
@@ -58,13 +47,13 @@ void find_missing_after_there(const FreeSentence& sentence, int i, Proposals& pr
     const bool one = sentence.is(i + 1, {"no", "a", "an"});
     if (there && sentence.is(i + 1, {"not"}) &&
         sentence.is(i + 2, {"any", "a", "an", "enough", "much"}) &&
-        sentence[i + 3].noun_count > 0 && !has_verb_from(sentence, i + 3)) {
+        sentence[i + 3].noun_count > 0 && !sentence.has_verb_from(i + 3)) {
         proposals.insert(i + 1, ErrorCode::missing_verb,
                          sentence[i + 3].plural_noun() ? "are" : "is");
         return;
     }
     if (there && sentence.is(i + 1, {"more", "less", "enough"}) && sentence[i + 2].noun_count > 0 &&
-        !sentence[i + 2].plural_noun() && !has_verb_from(sentence, i)) {
+        !sentence[i + 2].plural_noun() && !sentence.has_verb_from(i)) {
         proposals.insert(i + 1, ErrorCode::missing_verb, "is");
         return;
     }
@@ -113,9 +102,11 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
             (word.mainly_adjective() && word.verb_count <= 1 + word.adjective_count / 8 &&
              (sentence.ends_at(at) ||
               sentence.is(at + 1, {"and", "than", "but", "because", "to", "when", "if", "near",
-                                   "far", "at", "on"})));
+                                   "far", "at", "on"}) ||
+              ((is_physical(word.adjective) || is_physical(word.text)) &&
+               sentence.is(at + 1, {"where", "the", "as", "like"}))));
         const NounPhrase thing = noun_phrase_at(sentence, at);
-        const bool verbless = i == 0 && !has_verb_from(sentence, 0) && !sentence.asks();
+        const bool verbless = i == 0 && !sentence.has_verb_from(0) && !sentence.asks();
         const bool noun = sentence.is(at, {"a", "an", "the"}) && i == 0 && thing.last > at &&
                           (sentence.ends_at(thing.head) ||
                            (verbless && sentence.is(thing.last, {"of", "in", "from"})) ||
@@ -138,7 +129,8 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
         return;
     }
     find_missing_after_there(sentence, i, proposals);
-    const bool joined = sentence.joins_clauses(i - 1) && !sentence.is(i - 1, {"then", "so"});
+    const bool joined = (sentence.joins_clauses(i - 1) && !sentence.is(i - 1, {"then", "so"})) ||
+                        sentence.is(i - 1, {"where"});
     // "A bit bigger" is a whole answer.
     if ((i != 0 && !joined) ||
         (sentence.is(i, {"a"}) && sentence.is(i + 1, {"bit", "lot", "little"}))) {
@@ -148,10 +140,15 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
     if (is_planet(sentence.text(i))) {
         subject = {i, i + 1, i, true, true, Number::singular};
     }
-    if (is_measured(sentence.text(i)) && sentence[i + 1].degree == Degree::comparative) {
+    if (is_measured(sentence.text(i)) && (sentence[i + 1].degree == Degree::comparative ||
+                                          sentence.is(i + 1, {"more", "less", "the"}))) {
         subject = {i, i + 1, i, false, true, Number::singular};  // "lift stronger than drag"
     }
-    const int at = subject.last;
+    // "The force of the weight".
+    const NounPhrase owner = noun_phrase_at(sentence, subject.last + 1);
+    const bool is_owned = subject.determined && sentence.is(subject.last, {"of"}) &&
+                          owner.last > owner.first && !sentence[subject.last - 1].before_stop;
+    const int at = is_owned ? owner.last : subject.last;
     if (at == i || sentence[at - 1].before_stop) {
         return;
     }
@@ -166,27 +163,38 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
         (sentence[at + 1].degree == Degree::superlative ||
          sentence.is(at + 1, {"most", "least"})) &&
         sentence.ends_at(sentence.is(at + 1, {"most", "least"}) ? at + 2 : at + 1);
+    // "Weight stronger", "wood the harder of the two".
+    const bool is_bare =
+        subject.last == i + 1 && (is_measured(sentence.text(i)) || is_material(sentence.text(i)));
     // "The tallest block the metal block", "the apple heavier": no word could be a verb.
     const bool named =
-        i == 0 && (subject.determined || is_planet(sentence.text(0))) && !sentence.is(0, {"no"}) &&
+        i == 0 && (subject.determined || is_planet(sentence.text(0)) || is_bare) &&
+        !sentence.is(0, {"no"}) &&
         // "The planets orbit the Sun".
         !(sentence[subject.head].verb_plain && sentence[subject.head - 1].plural_noun()) &&
         !sentence.asks() && subject.last < sentence.size();
     const bool equal =
-        named && !has_verb_from(sentence, 0) &&
-        ((sentence.is(at, {"the"}) && (sentence.is(at + 1, {"same", "most"}) ||
-                                       (sentence[at + 1].degree == Degree::comparative &&
-                                        sentence.is(at + 2, {"of"})) ||
-                                       sentence[at + 1].degree == Degree::superlative ||
-                                       noun_phrase_at(sentence, at).last == sentence.size())) ||
+        named && !sentence.has_verb_from(0) &&
+        ((sentence.is(at, {"the"}) &&
+          (sentence.is(at + 1, {"same", "most"}) ||
+           (sentence[at + 1].degree == Degree::comparative && sentence.is(at + 2, {"of"})) ||
+           sentence[at + 1].degree == Degree::superlative ||
+           // "Lift the knot."
+           (noun_phrase_at(sentence, at).last == sentence.size() &&
+            (!is_bare || sentence.is(sentence.size() - 1, {"force"}))))) ||
          (sentence.is(at, {"a", "an"}) && sentence[subject.head - 1].degree != Degree::positive &&
           noun_phrase_at(sentence, at).last == sentence.size()) ||
          (word.degree == Degree::comparative && is_physical(word.adjective) &&
           (at + 1 == sentence.size() ||
-           sentence.is(at + 1, {"on", "high", "above", "near", "at", "to"}))));
-    const bool the_one = sentence.is(at, {"the"}) && sentence[at + 1].degree != Degree::positive &&
-                         sentence.is(at + 2, {"one"}) &&
-                         (sentence.ends_at(at + 2) || sentence.is(at + 3, {"of"}));
+           sentence.is(at + 1, {"on", "high", "above", "near", "at", "to", "far", "close", "now",
+                                "then", "there"}))) ||
+         (is_planet(sentence.text(i)) &&
+          sentence.is(at, {"closer", "nearer", "farther", "further"})));
+    const int one_at = sentence.is(at + 1, {"more", "most"}) ? at + 3 : at + 2;
+    const bool the_one = sentence.is(at, {"the"}) &&
+                         (one_at == at + 3 || sentence[at + 1].degree != Degree::positive) &&
+                         sentence.is(one_at, {"one"}) &&
+                         (sentence.ends_at(one_at) || sentence.is(one_at + 1, {"of"}));
     // "The drag the force that keeps it up".
     const bool explained = named && sentence.is(at, {"the"}) &&
                            noun_phrase_at(sentence, at).last > at &&
@@ -194,93 +202,24 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
     const bool last =
         at + 1 >= sentence.size() || (sentence.is(at + 1, {"and"}) && at + 3 >= sentence.size());
     const bool plain = is_physical(word.text) && word.mainly_adjective() &&
-                       word.degree == Degree::positive && last;
+                       word.degree == Degree::positive &&
+                       (last || (i == 0 && sentence.is(at + 1, {"like"})));
     const bool too = sentence.is(at, {"too"}) && is_physical(sentence[at + 1].adjective) &&
-                     sentence.ends_at(at + 1) && subject.determined && !has_verb_from(sentence, i);
+                     sentence.ends_at(at + 1) && subject.determined && !sentence.has_verb_from(i);
     const bool listed = i == 0 && !sentence.asks() && listed_adjectives(sentence, at) > 1;
-    // "When the wind stronger".
-    const bool grows = joined && subject.determined && word.degree == Degree::comparative &&
-                       is_physical(word.adjective) && sentence.ends_at(at) && !sentence.asks();
+    // "When the wind stronger", "where my arm long".
+    const bool grows = joined && subject.determined && !sentence.asks() &&
+                       (word.degree == Degree::comparative ? is_physical(word.adjective)
+                                                           : sentence.is(at, {"long", "short"})) &&
+                       sentence.ends_at(at);
     // "When the weight more than the lift".
     const bool outweighs = sentence.is(at, {"more", "less"}) && sentence.is(at + 1, {"than"}) &&
-                           is_measured(sentence[at - 1].text) && !has_verb_from(sentence, i) &&
+                           is_measured(sentence[at - 1].text) && !sentence.has_verb_from(i) &&
                            !sentence.asks();
-    if (outweighs || compared || with_more || equal || superlative || the_one || plain || too || listed ||
-        grows || explained) {
+    if (outweighs || compared || with_more || equal || superlative || the_one || plain || too ||
+        listed || grows || explained) {
         proposals.insert(at, ErrorCode::missing_verb, be);
     }
-}
-
-/// The apple and the egg the same; metal and wood alike; none heavier.
-void find_missing_between(const FreeSentence& sentence, Proposals& proposals) {
-    const bool none_compared =
-        sentence.is(0, {"none"}) &&
-        ((sentence[1].degree == Degree::comparative && sentence.ends_at(1)) ||
-         (sentence.is(1, {"the"}) && sentence[2].degree == Degree::superlative &&
-          sentence.ends_at(2)));
-    if (none_compared && !sentence.asks()) {
-        proposals.insert(1, ErrorCode::missing_verb, "is");
-        return;
-    }
-    const auto name_at = [&](int first) {
-        return is_planet(sentence.text(first)) ? first + 1 : noun_phrase_at(sentence, first).last;
-    };
-    const int first = name_at(0);
-    const int second = name_at(first + 1);
-    const bool alike =
-        (sentence.is(second, {"the"}) && sentence.is(second + 1, {"same"})) ||
-        (sentence.is(second, {"alike", "identical", "equal"}) && sentence.ends_at(second));
-    if (first > 0 && sentence.is(first, {"and"}) && second > first + 1 && alike &&
-        !sentence[second - 1].before_stop && !has_verb_from(sentence, 0) && !sentence.asks()) {
-        proposals.insert(second, ErrorCode::missing_verb, "are");
-    }
-}
-
-/// "When we press far from it it easier", "near the pole it harder": the clause before it has no comma.
-void find_missing_behind(const FreeSentence& sentence, int i, Proposals& proposals) {
-    const FreeWord& word = sentence[i + 1];
-    if (i > 1 && sentence.is(i, {"it"}) && !sentence[i].before_stop && !sentence.asks() &&
-        word.degree == Degree::comparative && is_physical(word.adjective) &&
-        (sentence.ends_at(i + 1) || sentence.is(i + 2, {"to"})) &&
-        sentence.is(0, {"when", "if", "near", "at", "on", "as", "far", "close"}) &&
-        !sentence[i - 1].mainly_verb() &&
-        !sentence.is(i - 1, {"make", "makes", "made", "is", "get"})) {
-        proposals.insert(i + 1, ErrorCode::missing_verb, "is");
-    }
-}
-
-/// "Pressing far from the support easier": what one does has a verb of its own too.
-void find_missing_behind_doing(const FreeSentence& sentence, Proposals& proposals) {
-    const int last = sentence.size() - 1;
-    const FreeWord& word = sentence[last];
-    bool at_place = false;
-    for (int i = 1; i < last; ++i) {
-        at_place = at_place || sentence.is(i, {"near", "far", "from", "at", "on", "close"});
-    }
-    if (sentence.is(0, {"pushing", "pressing", "pulling", "lifting", "moving", "turning"}) &&
-        at_place && word.degree == Degree::comparative && is_physical(word.adjective) &&
-        !has_verb_from(sentence, 1) && !sentence.asks()) {
-        proposals.insert(last, ErrorCode::missing_verb, "is");
-    }
-}
-
-/// What the distance of Venus? How big the Earth?
-void find_missing_in_question(const FreeSentence& sentence, Proposals& proposals) {
-    const bool what = sentence.is(0, {"what", "where", "who"});
-    const bool how = sentence.is(0, {"how"}) && is_physical(sentence.text(1));
-    const int at = what ? 1 : 2;
-    const bool named = sentence.is(at, {"the"}) || (how && is_planet(sentence.text(at)));
-    if (!sentence.asks() || (!what && !how) || !named || has_verb_from(sentence, 0)) {
-        return;
-    }
-    for (int i = at; i < sentence.size(); ++i) {
-        // A verb of another kind, or none that is seen: "What the boy said?"
-        if (sentence[i].verb_count > sentence[i].noun_count ||
-            sentence[i].before_stop != (i + 1 == sentence.size())) {
-            return;
-        }
-    }
-    proposals.insert(at, ErrorCode::missing_verb, "is");
 }
 
 /// "is very important", "is made of metal": without "it".
@@ -331,8 +270,8 @@ void find_said_twice(const FreeSentence& sentence, int i, Proposals& proposals) 
         !is_time_or_amount(sentence[subject.head].text)) {
         const FreeWord& verb = sentence[at + 1];
         const bool acts = verb.verb_in_s && !verb.closed && verb.verb_count > verb.noun_count &&
-                          !sentence.ends_at(at + 1) && !has_verb_from(sentence, at + 2);
-        const bool is = sentence.be_at(at + 1) && !has_verb_from(sentence, at + 2) &&
+                          !sentence.ends_at(at + 1) && !sentence.has_verb_from(at + 2);
+        const bool is = sentence.be_at(at + 1) && !sentence.has_verb_from(at + 2) &&
                         (is_physical(sentence[at + 2].adjective) ||
                          sentence.is(at + 2, {"more", "between", "under", "on", "not"}));
         if (acts || is) {
@@ -362,14 +301,10 @@ void find_said_twice(const FreeSentence& sentence, int i, Proposals& proposals) 
 void find_missing_words(const FreeSentence& sentence, Proposals& proposals) {
     for (int i = 0; i < sentence.size(); ++i) {
         find_missing_verb(sentence, i, proposals);
-        find_missing_behind(sentence, i, proposals);
         find_missing_pronoun(sentence, i, proposals);
         find_said_twice(sentence, i, proposals);
         find_missing_there(sentence, i, proposals);
     }
-    find_missing_between(sentence, proposals);
-    find_missing_behind_doing(sentence, proposals);
-    find_missing_in_question(sentence, proposals);
 }
 
 }  // namespace fulcrum::dialogue

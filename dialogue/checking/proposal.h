@@ -69,6 +69,8 @@ void find_making_errors(const FreeSentence& sentence, Proposals& proposals);
 void find_order_errors(const FreeSentence& sentence, Proposals& proposals);
 /// it heavy, is very heavy, the rock it is
 void find_missing_words(const FreeSentence& sentence, Proposals& proposals);
+/// near the pole the arm longer, pressing here easier, the apple and the egg the same, what the weight?
+void find_verbless_clauses(const FreeSentence& sentence, Proposals& proposals);
 /// is next of the bowl
 void find_place_errors(const FreeSentence& sentence, Proposals& proposals);
 

@@ -258,6 +258,16 @@ bool FreeSentence::is_head(int i) const {
            (next.known && next.noun_count == 0 && next.adjective_count == 0);
 }
 
+bool FreeSentence::has_verb_from(int i) const {
+    for (; i < size(); ++i) {
+        if (be_at(i) || is(i, {"has", "have", "does", "do"}) ||
+            ((*this)[i].verb_in_s && (*this)[i].mainly_verb())) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool FreeSentence::be_at(int i) const {
     return is(i, {"is", "are", "was", "were", "am"}) && !(*this)[i].possessive;
 }
@@ -332,8 +342,9 @@ bool is_among_nouns(const FreeSentence& sentence, int i, int first_noun, bool de
     if (word.closed || word.number) {
         return false;
     }
-    return word.mainly_noun() || (i == first_noun && (is_material(sentence.text(i)) ||
-                                                      (determined && is_weak_noun(sentence, i))));
+    return word.mainly_noun() || (word.text == "force" && is_measured(sentence.text(i - 1))) ||
+           (i == first_noun &&
+            (is_material(sentence.text(i)) || (determined && is_weak_noun(sentence, i))));
 }
 
 }  // namespace

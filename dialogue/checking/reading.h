@@ -80,6 +80,8 @@ class FreeSentence {
     [[nodiscard]] bool ends_at(int i) const { return i + 1 >= size() || (*this)[i].before_stop; }
     /// Behind a noun at `i` no noun follows that it would belong to: "car" of "car door" is no head.
     [[nodiscard]] bool is_head(int i) const;
+    /// A finite verb stands at `i` or behind it, as far as that is certain.
+    [[nodiscard]] bool has_verb_from(int i) const;
     /// A form of "be" that is finite.
     [[nodiscard]] bool be_at(int i) const;
 

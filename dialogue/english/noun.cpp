@@ -78,7 +78,7 @@ constexpr std::array kIrregularPlurals = {
     PluralPair{"grandchild", "grandchildren"},
 };
 
-constexpr std::array<std::string_view, 142> kMass = {
+constexpr std::array<std::string_view, 138> kMass = {
     "water",       "air",        "wood",      "metal",      "iron",      "steel",     "gold",
     "silver",      "copper",     "plastic",   "paper",      "rubber",    "cotton",    "wool",
     "leather",     "glass",      "sand",      "oil",        "milk",      "juice",     "tea",
@@ -98,8 +98,7 @@ constexpr std::array<std::string_view, 142> kMass = {
     "pork",        "lemonade",   "petrol",    "coal",       "zinc",      "nickel",    "sulphur",
     "carbon",      "nitrogen",   "steam",     "smoke",      "fog",       "ink",       "glue",
     "soap",        "toothpaste", "hay",       "lightning",  "thunder",   "sunlight",  "sunshine",
-    "rubbish",     "garbage",    "blood",     "vinegar",    "spinach",   "lift",      "drag",
-    "tension",     "friction"};
+    "rubbish",     "garbage",    "blood",     "vinegar",    "spinach"};
 
 /// Materials whose plural means kinds of them: metals are hard. (Glasses and papers are other things.)
 constexpr std::array<std::string_view, 4> kHasKinds = {"metal", "plastic", "juice", "cheese"};
@@ -287,6 +286,11 @@ bool looks_plural(std::string_view noun) {
 
 bool is_mass_noun(std::string_view noun) {
     return contains(kMass, lower_case(head_word(noun)));
+}
+
+bool names_force(std::string_view noun) {
+    constexpr std::array<std::string_view, 4> kForces = {"lift", "drag", "tension", "friction"};
+    return contains(kForces, lower_case(noun));
 }
 
 bool has_kinds(std::string_view noun) {

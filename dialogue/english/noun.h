@@ -77,6 +77,9 @@ struct Noun {
 /// True for nouns without a plural ("water", "wood", "advice").
 [[nodiscard]] bool is_mass_noun(std::string_view noun);
 
+/// True for the names of forces, which count nothing where a list asks which one it is: "lift", "the lift", never "a lift".
+[[nodiscard]] bool names_force(std::string_view noun);
+
 /// True for mass nouns whose plural means kinds of them: "metals", "cheeses"; not "woods", "glasses".
 [[nodiscard]] bool has_kinds(std::string_view noun);
 

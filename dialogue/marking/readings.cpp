@@ -68,7 +68,7 @@ bool say_the_other(const Question& question, const WordList& list, const std::st
 }
 
 /// All that is said is right and all that is ruled out is wrong. Where something of it is right and something else isn't, "one, the Moon",
-/// that need not be meant as an answer too: nobody understands it. The lesson is told what is wrong.
+/// that need not be meant as an answer too: nobody understands it; a reason always is. The lesson is told what is wrong.
 bool settle_every(Mark& mark, const std::vector<bool>& verdicts) {
     const auto is_right = [&](std::size_t i) { return i < verdicts.size() && verdicts[i]; };
     bool any_right = false;
@@ -85,7 +85,7 @@ bool settle_every(Mark& mark, const std::vector<bool>& verdicts) {
         any_right = any_right || is_right(i);
         all_right = all_right && is_right(i);
     }
-    mark.understood = all_right || !any_right;
+    mark.understood = all_right || !any_right || mark.claim == Claim::reasoned;
     return all_right && !denies_right;
 }
 
@@ -157,7 +157,7 @@ bool holds(Mark& mark, const std::vector<bool>& verdicts) {
     if (mark.claim == Claim::excluded) {
         return !first;
     }
-    if (mark.claim == Claim::every) {
+    if (mark.claim == Claim::every || mark.claim == Claim::reasoned) {
         return settle_every(mark, verdicts);
     }
     if (mark.claim == Claim::contrary) {  // of something of which there is something to say

@@ -25,8 +25,13 @@ std::vector<std::string> clauses_of_reason(const Mark& whole) {
     }
     const std::string clause = whole.unread.substr(words[1].begin);
     std::vector<std::string> clauses = {clause};
-    if (const auto pronoun = find_pronoun(clause); pronoun && whole.slots.size() == 1) {
-        const std::string& value = whole.slots.front().second;
+    const auto pronoun = find_pronoun(clause);
+    const std::string value = whole.slots.size() == 1 ? whole.slots.front().second : "";
+    // Not where it only follows from what was said: of "the egg is not heavier" that is the apple.
+    const std::string answer =
+        words_between_blanks(std::string_view(whole.said).substr(0, whole.unread_begin));
+    const bool is_said = answer.find(words_between_blanks(value)) != std::string::npos;
+    if (pronoun && !value.empty() && is_said) {
         for (const std::string& noun : {"the " + value, value}) {
             clauses.push_back(clause);
             clauses.back().replace(pronoun->begin, pronoun->end - pronoun->begin, noun);
@@ -52,7 +57,7 @@ std::optional<Mark> mark_with_reason(const Question& question, const Mark& whole
             return std::nullopt;
         }
         Mark mark = whole;
-        mark.claim = joined->claim;
+        mark.claim = Claim::reasoned;
         mark.readings = std::move(joined->readings);
         mark.denied = std::move(joined->denied);
         return mark;

@@ -82,8 +82,7 @@ std::optional<Mark> mark_sentences(const Question& question, const Mark& whole) 
             return mark;
         }
     }
-    return whole.understood ? mark_with_reason(question, whole)
-                            : mark_before_list(question, whole);
+    return whole.understood ? mark_with_reason(question, whole) : mark_before_list(question, whole);
 }
 
 }  // namespace fulcrum::dialogue

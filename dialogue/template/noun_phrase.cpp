@@ -41,6 +41,14 @@ Branch branch_of(const Noun& noun, ArticlePolicy policy) {
         case NounClass::count:
             break;
     }
+    if (names_force(noun.text)) {  // where the sentence does not count it
+        if (policy == ArticlePolicy::bare) {
+            return Branch::bare_or_the;
+        }
+        if (policy == ArticlePolicy::definite) {
+            return Branch::the_stuff;
+        }
+    }
     if (both_articles(noun.text)) {
         return Branch::with_both;
     }
@@ -62,7 +70,9 @@ class OtherNumber {
     void add(const Noun& noun, int item, Branch branch) {
         switch (noun.noun_class) {
             case NounClass::count:
-                return plural_of_count(noun, item, branch);
+                return branch == Branch::bare_or_the || branch == Branch::the_stuff
+                           ? plural_of_mass(noun, item, branch)
+                           : plural_of_count(noun, item, branch);
             case NounClass::mass:
                 return plural_of_mass(noun, item, branch);
             case NounClass::plural:

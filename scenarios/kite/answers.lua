@@ -80,7 +80,7 @@ answers.up = {
   examples = { right = { "The lift pulls it up.", "The lift pushes it up.", "It's the lift that holds the kite up.", "It is held up by the lift.", "the lift is holding it up",
                          "Lift holds the kite up.", "The lift holds up the kite.", "It's lift that holds it up.", "lift does" },
                wrong = { "It's the drag that holds it up.", "It is held up by its weight.", "the lift pulls it down", "the wind", "drag holds it up" },
-               form = { "the lift hold it up", "lift hold it up", "lift force holds it up", "is the lift" } },
+               form = { "the lift hold it up", "lift hold it up", "lift force holds it up", "is the lift", "a lift holds it up", "it is a lift" } },
 }
 
 answers.hand = {
@@ -102,14 +102,14 @@ answers.hand = {
     force = { "lift", "drag", "weight|gravity", "tension|pull|force of the line" }, no_force = { "wind" },
   },
   examples = { right = { "I feel tension.", "I feel the tension", "tension", "The line pulls my hand.", "the line is pulling my hand", "I felt the tension" },
-               wrong = { "I feel lift", "the wind", "it is the drag" }, form = { "feel the tension", "I feel tension of line", "I feel tension force" } },
+               wrong = { "I feel lift", "the wind", "it is the drag" }, form = { "feel the tension", "I feel tension of line", "I feel tension force", "I feel a tension" } },
 }
 
 answers.stronger = {
   answers = {
     "the {force} is <comparative:strong> [than the {other}]", "{force} is <comparative:strong> [than {other}]", "the {force} [force] is (<comparative:strong>|<bigger>) [than (the {other} [force]|{other})]",
     "{force} is <bigger> [than {other}]",
-    "it is the {force}", "it is {force}", "the {force} [force]", "(the {force}|{force}) is [the] <comparative:strong> [(force|one)]", "(the {force}|{force}) is the <bigger> (force|one)",
+    "it is the {force}", "it is {force}", "the {force} [force]", "(the {force}|{force}) is [the] <comparative:strong>", "(the {force}|{force}) is the (<comparative:strong>|<bigger>) (force|one)",
     "the (<comparative:strong>|<bigger>) (force|one) is (the {force}|{force})", "(the {force}|{force}) has more newtons [than (the {other}|{other})]",
     "there is more {force} than {other}", "(they|both|the two forces) are {same}",
   },

@@ -58,33 +58,24 @@ TEST_CASE(
          {"It pulls more when the wind it is stronger.",
           "U:PRON => It pulls more when the wind is stronger."},
          {"As the wind it was stronger.", "U:PRON => As the wind was stronger."},
-         {"The egg and the apple the same.", "M:VERB => The egg and the apple *are* the same."},
-         {"Metal and wood identical.", "M:VERB => Metal and wood *are* identical."},
          {"It the blue one.", "M:VERB => It *is* the blue one."},
-         {"None heavier.", "M:VERB => None *is* heavier."},
          {"Lift stronger than drag.", "M:VERB => Lift *is* stronger than drag."},
          {"It the lift that holds it up.", "M:VERB => It *is* the lift that holds it up."},
          {"The drag the force that pulls it back.",
           "M:VERB => The drag *is* the force that pulls it back."},
-         {"When we press far from it it easier.",
-          "M:VERB => When we press far from it it *is* easier."},
          {"It fell because there more weight.",
           "M:VERB => It fell because there *is* more weight."},
          {"The apple the heavier of the two.", "M:VERB => The apple *is* the heavier of the two."},
-         {"It fell as the weight more than the lift.",
-          "M:VERB => It fell as the weight *is* more than the lift."},
-         {"Pressing it far from the support easier.",
-          "M:VERB => Pressing it far from the support *is* easier."},
+         {"It fell because the weight more than the lift.",
+          "M:VERB => It fell because the weight *is* more than the lift."},
          {"Is the weight of the line.", "M:PRON => *It is* the weight of the line."},
          {"Is made out of glass.", "M:PRON => *It is* made out of glass."}});
     check_right({"A bit bigger than without the wind.", "The planets orbit the Sun.",
                  "It is lift in the line.", "A lot weaker.", "It is as heavy as the heavier one.",
                  "It is easier when the arm is longer.",
-                 "It pulls more when the wind gets stronger.",
-                 "The egg and the apple are the same.", "It moves as the hand it follows.",
-                 "The longer the arm, the easier it is.", "Pressing it harder.",
-                 "Pushing it far from the support is easier.",
-                 "I feel the weight more than the lift.", "The heavier of the two."});
+                 "It pulls more when the wind gets stronger.", "It moves as the hand it follows.",
+                 "The longer the arm, the easier it is.", "I feel the weight more than the lift.",
+                 "The heavier of the two."});
 }
 
 TEST_CASE("free English: there is, behind because") {
@@ -100,4 +91,29 @@ TEST_CASE("free English: is with nothing but a name behind it wants its it") {
     check_rows(
         {{"Is the lift.", "M:PRON => *It is* the lift."}, {"Is wood.", "M:PRON => *It is* wood."}});
     check_right({"Is the lift weak?", "Is it?", "It is wood."});
+}
+
+TEST_CASE("free English: what is measured and stuff without an article miss their verb as well") {
+    check_rows(
+        {{"Weight stronger.", "M:VERB => Weight *is* stronger."},
+         {"Rock harder.", "M:VERB => Rock *is* harder."},
+         {"Lift the bigger force.", "M:VERB => Lift *is* the bigger force."},
+         {"Wood the harder of the two.", "M:VERB => Wood *is* the harder of the two."},
+         {"Rock the more slippery one.", "M:VERB => Rock *is* the more slippery one."},
+         {"Wood slippery like glass.", "M:VERB => Wood *is* slippery like glass."},
+         {"The lift force bigger than the weight.",
+          "M:VERB => The lift force *is* bigger than the weight."},
+         {"It the weight force.", "M:VERB => It *is* the weight force."},
+         {"The force of the weight stronger than the lift.",
+          "M:VERB => The force of the weight *is* stronger than the lift."},
+         {"The weight bigger now.", "M:VERB => The weight *is* bigger now."},
+         {"Uranus closer to the Sun.", "M:VERB => Uranus *is* closer to the Sun."},
+         {"It is easier where my arm long.", "M:VERB => It is easier where my arm *is* long."},
+         {"It easier the longer I push.", "M:VERB => It *is* easier the longer I push."},
+         {"It made of grey cloth.", "M:VERB => It *is* made of grey cloth."}});
+    check_right({"The force of the weight.", "The lift force of the kite.",
+                 "The force of the weight is stronger.", "It is made of grey paper.",
+                 "Lift the knot.", "The weight of the apple.", "Wood or rock.",
+                 "The harder of the two.", "The line of the kite pulls harder.",
+                 "It pulls me up where my arm is."});
 }

@@ -118,6 +118,8 @@ TEST_CASE("noun: materials are mass nouns; some have kinds") {
     CHECK(has_kinds("metal"));
     CHECK_FALSE(has_kinds("glass"));
     CHECK_FALSE(has_kinds("rock"));
+    CHECK(names_force("Lift"));
+    CHECK_FALSE(names_force("pull"));
 }
 
 TEST_CASE("noun: numbers, places and what begins with a preposition are no nouns") {

@@ -336,3 +336,17 @@ TEST_CASE("noun phrase: a name behind the is pointed at by no this") {
     CHECK(told(earth, "these four eggs weigh water") == "These four eggs weigh water.");
     CHECK(told(earth, "this four eggs weigh water") == "R:DET These four eggs weigh water.");
 }
+
+TEST_CASE("noun phrase: of a force there is not one, unless the sentence says so") {
+    const TemplateSource up{{"{force} holds it up", "the {force} pulls", "take <article> {force}"},
+                            {{"force", {"lift", "drag", "kite"}}},
+                            {}};
+    CHECK(told(up, "lift holds it up") == "Lift holds it up.");
+    CHECK(told(up, "the lift holds it up") == "The lift holds it up.");
+    CHECK(told(up, "a lift holds it up") == "U:DET Lift holds it up.");
+    CHECK(told(up, "a kite holds it up") == "A kite holds it up.");
+    CHECK(told(up, "a lifts holds it up") == "U:DET R:NOUN:NUM Lift holds it up.");
+    CHECK(told(up, "the lift pulls") == "The lift pulls.");
+    CHECK(told(up, "a lift pulls") == "R:DET The lift pulls.");
+    CHECK(told(up, "take a lift") == "Take a lift.");
+}
