@@ -1,5 +1,6 @@
 // Errors of agreement between subject and verb in a free sentence.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/verb.h"
@@ -198,22 +199,19 @@ void find_after_there(const FreeSentence& sentence, int i, Proposals& proposals)
     }
 }
 
-/// What is named at `first`, a thing, a material or a planet by its name, ends before this; `first` where nothing is.
-int name_end(const FreeSentence& sentence, int first) {
-    if (is_planet(sentence.text(first))) {
-        return first + 1;
-    }
+/// The same where it is certain to be named there, and no verb or adjective: a thing, a material or a planet.
+int certain_name_end(const FreeSentence& sentence, int first) {
     const NounPhrase phrase = noun_phrase_at(sentence, first);
-    const bool named =
-        phrase.determined || sentence[phrase.head].thing || is_material(sentence[phrase.head].text);
-    return named ? phrase.last : first;
+    const bool certain = phrase.determined || sentence[phrase.head].thing ||
+                         is_material(sentence[phrase.head].text) || is_planet(sentence.text(first));
+    return certain ? name_end(sentence, first) : first;
 }
 
 /// the apple and the egg is equal.
 void find_after_two(const FreeSentence& sentence, Proposals& proposals) {
     const int begin = sentence.is(0, {"both"}) ? 1 : 0;
-    const int first = name_end(sentence, begin);
-    const int second = sentence.is(first, {"and"}) ? name_end(sentence, first + 1) : first;
+    const int first = certain_name_end(sentence, begin);
+    const int second = sentence.is(first, {"and"}) ? certain_name_end(sentence, first + 1) : first;
     if (first == begin || second <= first + 1 || sentence[second - 1].before_stop ||
         sentence[first - 1].before_stop || sentence.asks() ||
         sentence.is(begin, {"each", "every", "no"}) || sentence[second].possessive) {

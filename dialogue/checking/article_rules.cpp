@@ -1,5 +1,6 @@
 // Errors of a, an, the, this and these in a free sentence.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/number.h"

@@ -1,6 +1,7 @@
 #include "dialogue/checking/author_slips.h"
 
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/english/verb.h"
 
 #include <optional>

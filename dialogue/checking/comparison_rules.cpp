@@ -1,5 +1,6 @@
 // Errors of comparison in a free sentence.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/word_table.h"
@@ -248,8 +249,7 @@ void find_than(const FreeSentence& sentence, int i, Proposals& proposals) {
 
 /// heavier as the egg, stronger as before; not "heavier as a whole", "heavier as the day goes on".
 void find_as(const FreeSentence& sentence, int i, Proposals& proposals) {
-    const int named =
-        is_planet(sentence.text(i + 2)) ? i + 3 : noun_phrase_at(sentence, i + 2).last;
+    const int named = name_end(sentence, i + 2);
     const bool thing =
         named > i + 2 && named >= sentence.size() &&
         (is_planet(sentence.text(i + 2)) ||

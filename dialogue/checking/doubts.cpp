@@ -1,6 +1,7 @@
 #include "dialogue/checking/doubts.h"
 
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/english/adjective.h"
 #include "dialogue/english/word_table.h"
 

@@ -1,5 +1,6 @@
 // Errors of "is made of" in a free sentence.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/making.h"
 

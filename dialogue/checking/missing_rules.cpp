@@ -1,5 +1,6 @@
 // A word that is missing in a free sentence that begins with its subject, its verb or the pronoun before it, or a pronoun said beside its noun.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
 

@@ -1,5 +1,6 @@
 // Errors of a sentence's parts: their order, an adverb or a noun for an adjective.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
 

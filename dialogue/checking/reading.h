@@ -90,23 +90,10 @@ class FreeSentence {
     bool asks_;
 };
 
-/// A noun phrase that begins at `first`: its words [first, last), and what it asks of its verb.
-struct NounPhrase {
-    int first = 0;
-    int last = 0;             ///< first == last: there is none
-    int head = 0;             ///< the noun
-    bool determined = false;  ///< begins with the, a, my, …
-    bool sure = false;        ///< its number is certain
-    Number number = Number::singular;
-};
-
 /// The sentences of `text`. `things` are the nouns, in small letters, of what stands before whoever said it: there "egg" is one egg, and
 /// not what an egg is made of.
 [[nodiscard]] std::vector<FreeSentence> read_sentences(const Lexicon& lexicon,
                                                        std::string_view text,
                                                        std::span<const std::string> things = {});
-
-/// The noun phrase that begins at `first`, without what hangs on it ("of wood").
-[[nodiscard]] NounPhrase noun_phrase_at(const FreeSentence& sentence, int first);
 
 }  // namespace fulcrum::dialogue

@@ -1,5 +1,6 @@
 // Errors of a verb's form in a free sentence: one too many, a plain one, one without "do", and what it turns back to.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 
 // Each rule is one chain of conditions, told in the order in which the grammar has them.

@@ -1,5 +1,6 @@
 // Clauses without their verb that do not begin with their subject, or whose subject is more than a name.
 #include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/noun_phrases.h"
 #include "dialogue/checking/proposal.h"
 
 // Each rule is one chain of conditions, told in the order in which the grammar has them.
@@ -18,11 +19,8 @@ void find_missing_between(const FreeSentence& sentence, Proposals& proposals) {
         proposals.insert(1, ErrorCode::missing_verb, "is");
         return;
     }
-    const auto name_at = [&](int first) {
-        return is_planet(sentence.text(first)) ? first + 1 : noun_phrase_at(sentence, first).last;
-    };
-    const int first = name_at(0);
-    const int second = name_at(first + 1);
+    const int first = name_end(sentence, 0);
+    const int second = name_end(sentence, first + 1);
     const bool alike =
         (sentence.is(second, {"the"}) && sentence.is(second + 1, {"same"})) ||
         (sentence.is(second, {"alike", "identical", "equal"}) && sentence.ends_at(second));

@@ -1,10 +1,9 @@
 #include "dialogue/marking/reasons.h"
 
-#include "dialogue/english/word_table.h"
 #include "dialogue/marking/said_parts.h"
+#include "dialogue/template/hearing.h"
 #include "dialogue/template/tokens.h"
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,14 +12,11 @@
 namespace fulcrum::dialogue {
 namespace {
 
-constexpr auto kBeginReasons =
-    std::to_array<std::string_view>({"because", "cause", "cos", "coz", "since"});
-
 /// The clause of a reason that was let pass, behind "because"; with what was answered in place of its pronoun: "it is lighter", "the apple is
 /// lighter", "apple is lighter". None of "so that it flies".
 std::vector<std::string> clauses_of_reason(const Mark& whole) {
     const std::vector<Token> words = tokenise(whole.unread);
-    if (words.size() < 2 || !contains(kBeginReasons, words.front().text)) {
+    if (words.size() < 2 || !begins_reason(words.front().text)) {
         return {};
     }
     const std::string clause = whole.unread.substr(words[1].begin);

@@ -3,6 +3,7 @@
 #include "dialogue/english/letters.h"
 #include "dialogue/english/number.h"
 #include "dialogue/english/word_table.h"
+#include "dialogue/template/hearing.h"
 #include "dialogue/template/matcher.h"
 #include "dialogue/template/tokens.h"
 
@@ -18,7 +19,6 @@ constexpr auto kShortened = std::to_array<std::string_view>(
     {"mr", "mrs", "ms", "dr", "prof", "st", "vs", "approx", "e.g", "i.e"});
 constexpr auto kForThing =
     std::to_array<std::string_view>({"it", "they", "he", "she", "this", "that", "these", "those"});
-constexpr auto kReasonWords = std::to_array<std::string_view>({"because", "cause", "cos", "coz"});
 constexpr auto kVerbs = std::to_array<std::string_view>(
     {"is", "are", "has", "have", "weighs", "weigh", "feels", "feel", "does", "do"});
 constexpr auto kNoItems = std::to_array<std::string_view>(
@@ -89,7 +89,7 @@ std::vector<SaidSpan> said_sentences(std::string_view text, bool clauses) {
             return;
         }
         const bool joins = words.front().text == "and" || words.front().text == "but";
-        if (!spans.empty() && contains(kReasonWords, words.front().text)) {
+        if (!spans.empty() && begins_reason(words.front().text)) {
             spans.back().end = end;
         } else if (!spans.empty() && joins && words.size() > 1) {
             spans.push_back({begin + words[1].begin, end});

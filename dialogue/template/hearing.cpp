@@ -45,7 +45,6 @@ constexpr std::array<std::string_view, 11> kRemarks = {"i can feel it",
 constexpr std::array<std::string_view, 6> kTags = {"is not it",   "does not it",   "are not they",
                                                    "do not they", "is that right", "right"};
 
-/// Begin a reason: what follows is not the answer, and is let pass whatever it says.
 constexpr std::array<std::string_view, 5> kReasons = {"because", "cause", "cos", "coz", "since"};
 
 /// Begin a clause behind "so": "so it falls"; not "so heavy".
@@ -237,7 +236,7 @@ std::size_t reason_of(const TemplateSet& set, const std::vector<MendedToken>& to
                         contains(kSubjects, tokens[i + 1].token.text);
         const bool aim =
             word == "so" && i + 1 < tokens.size() && tokens[i + 1].token.text == "that";
-        if ((aim || so || contains(kReasons, word)) && !is_asked_for(set, word)) {
+        if ((aim || so || begins_reason(word)) && !is_asked_for(set, word)) {
             return i;
         }
     }
@@ -292,6 +291,10 @@ void mark_doubled(const std::vector<Token>& tokens, std::vector<HeardWord>& hear
 }
 
 }  // namespace
+
+bool begins_reason(std::string_view word) {
+    return contains(kReasons, word);
+}
 
 bool its_is_open(const TemplateSet& set, std::string_view utterance) {
     const std::vector<Token> tokens = tokenise(utterance);

@@ -30,6 +30,9 @@ enum class Its : std::uint8_t { owner, contraction };
 /// What a reason begins with: "because"; or "so" before a clause as well, which elsewhere is a filler.
 enum class Reason : std::uint8_t { because, so_too };
 
+/// What follows such a word is a reason, and not the answer: "because", "cos", "since".
+[[nodiscard]] bool begins_reason(std::string_view word);
+
 /// True when `utterance` has an "its" that can be either.
 [[nodiscard]] bool its_is_open(const TemplateSet& set, std::string_view utterance);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dialogue/checking/checker.h"
+#include "dialogue/checking/reading.h"
 
 #include <catch2/catch.hpp>
 
@@ -33,6 +34,14 @@ inline Lexicon opened_lexicon() {
         throw std::runtime_error(lexicon.error().message);
     }
     return std::move(*lexicon);
+}
+
+/// The sentence that a text of one sentence has, as the words alone tell.
+inline FreeSentence only_sentence(const std::string& text) {
+    static const Lexicon lexicon = opened_lexicon();
+    auto sentences = read_sentences(lexicon, text);
+    REQUIRE(sentences.size() == 1);
+    return std::move(sentences.front());
 }
 
 inline EnglishChecker words_alone() {
