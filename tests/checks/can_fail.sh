@@ -16,6 +16,9 @@ put() {
 # own TEXT: a source whose own that is.
 own() { printf 'namespace fulcrum {\nnamespace {\n%b\n}  // namespace\n}' "$1"; }
 
+# changes [ROW]: a table of changes with that row.
+changes() { printf 'id\\tkind\\tfile\\ttext\\tchanged\\tequivalent\\n%s' "${1:-1\\tconstant\\tdialogue/english/noun.cpp\\tint   kMost=3;\\tint kMost = -3;\\t}"; }
+
 good_tree() {
     tree="$scratch/a tree"
     rm -rf -- "$tree"
@@ -33,6 +36,7 @@ good_tree() {
     put tests/unit/main_test.cpp ''
     put tests/unit/noun_test.cpp ''
     put tests/checks/untested.txt '# none'
+    put tests/mutation/changes.tsv "$(changes)"
     cp "$checks/../../.clang-format" "$tree"
 }
 
@@ -57,7 +61,7 @@ spoilt() {
 }
 
 good_tree
-for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names; do
+for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names changes_apply; do
     passes "$check"
 done
 
@@ -99,6 +103,13 @@ spoilt sources_have_tests 'does not exist' tests/checks/untested.txt 'runtime/ap
 for mark in '<''<<<<<< HEAD' '|''|||||| base' '>''>>>>>> 0a1b2c3 A change'; do
     spoilt merge_markers 'was not finished' haptics/math/bad.md "before\\n$mark\\nafter"
 done
+noun='1\tconstant\tdialogue/english/noun.cpp'
+spoilt changes_apply 'noun.cpp has no "int' dialogue/english/noun.cpp "$(own 'constexpr int kMost = 4;')"
+spoilt changes_apply 'more than once' dialogue/english/noun.cpp "$(own 'constexpr int kMost = 3;\nstatic int kMost = 3;')"
+spoilt changes_apply 'gone.cpp is not there' tests/mutation/changes.tsv "$(changes '1\tsign\tdialogue/gone.cpp\ta + b\ta - b\t')"
+spoilt changes_apply 'changes nothing' tests/mutation/changes.tsv "$(changes "$noun\\tkMost = 3\\tkMost  =  3\\t")"
+spoilt changes_apply 'six columns' tests/mutation/changes.tsv "$(changes "$noun\\tkMost = 3\\tkMost = 4")"
+spoilt changes_apply 'has no row' tests/mutation/changes.tsv 'id'
 rm -- "$tree/LICENSE"
 spoilt project_files 'LICENSE: missing' scripts/good.lua ''
 spoilt project_files 'no row of the folder table for attic/' attic/bad.h ''
