@@ -76,7 +76,7 @@ prepare() {
     [[ -z $(git -C "$root" status --porcelain haptics dialogue tests/unit tests/stability tests/support cmake) ]] ||
         say "What is not committed is not tried."
     if [[ ! -d $tree/.git ]]; then
-        git clone -q --shared --no-checkout "$root" "$tree"
+        git clone -q --shared "$root" "$tree" || die "build/mutation: the tree could not be copied"
     fi
     restore
     # Only what differs is written, so that only that is built again.
@@ -115,6 +115,7 @@ list_tests() {
 list_rooms() {
     local folder depth files=()
     for folder in "$tree/tests/unit/$2/"{,*/}; do
+        [[ -d $folder ]] || continue
         depth=()
         [[ $folder != "$tree/tests/unit/$2/" ]] || depth=(-maxdepth 1)
         mapfile -t files < <(find "$folder" "${depth[@]}" -name '*_test.cpp' -printf '%f\n')
@@ -213,6 +214,9 @@ try_change() {
 
 n_judged() { awk -F '\t' '$1 ~ /^[0-9]/ && $2 != "does not compile"' "$result" | wc -l; }
 
+for id in "$@"; do
+    grep -q "^$id"$'\t' "$table" || die "changes.tsv has no row $id; its ids have three digits"
+done
 prepare
 while IFS=$'\x1f' read -r -u 3 id kind file text changed equivalent; do
     if [[ $# -eq 0 ]]; then
