@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace fulcrum;
 using namespace fulcrum::test;
 
@@ -95,30 +97,41 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("lessons: the one that README shows runs as it stands there") {
-    const std::string readme = bytes_of(FULCRUM_TEST_LESSONS "/../../README.md");
-    const std::size_t begin = readme.find("```lua\n");
+namespace {
+
+// The lesson of this id that a page shows.
+std::string lesson_shown(const std::string& page, const std::string& id) {
+    const std::string text = bytes_of(FULCRUM_TEST_LESSONS "/../../" + page);
+    const std::string kBegin = "```lua\n";
+    const std::size_t at = text.find("lesson { id = \"" + id + "\"");
+    REQUIRE(at != std::string::npos);
+    const std::size_t begin = text.rfind(kBegin, at);
     REQUIRE(begin != std::string::npos);
-    const std::size_t end = readme.find("```", begin + 7);
-    REQUIRE(end != std::string::npos);
-    const Sandbox sandbox;
-    sandbox.write("stone/lesson.lua", readme.substr(begin + 7, end - begin - 7));
-    CHECK(sandbox.run("check stone").exit_code == 0);
-    const ProgramRun run = sandbox.run("run stone --headless");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("stone: finished") != std::string::npos);
+    return text.substr(begin + kBegin.size(), text.find("```", at) - begin - kBegin.size());
 }
 
-TEST_CASE(
-    "lessons: the one with a question that README shows has no mistakes and passes its test") {
-    const std::string readme = bytes_of(FULCRUM_TEST_LESSONS "/../../README.md");
-    const std::size_t question = readme.find("L:question \"heavier\"");
-    REQUIRE(question != std::string::npos);
-    const std::size_t begin = readme.rfind("```lua\n", question) + 7;
-    const std::size_t end = readme.find("```", question);
+}  // namespace
+
+TEST_CASE("lessons: those that README and docs/teach.md begin with run as they stand there") {
+    for (const char* page : {"README.md", "docs/teach.md"}) {
+        INFO(page);
+        const Sandbox sandbox;
+        sandbox.write("stone/lesson.lua", lesson_shown(page, "stone"));
+        const ProgramRun check = sandbox.run("check stone");
+        INFO(check.output);
+        CHECK(check.exit_code == 0);
+        const ProgramRun run = sandbox.run("run stone --headless");
+        INFO(run.output);
+        CHECK(run.exit_code == 0);
+        CHECK(run.output.find("stone: finished") != std::string::npos);
+    }
+    const std::string shown = lesson_shown("README.md", "stone");
+    CHECK(std::count(shown.begin(), shown.end(), '\n') == 10);
+}
+
+TEST_CASE("lessons: the one with a question in docs/teach.md has no mistakes and passes its test") {
     const Sandbox sandbox;
-    sandbox.write("heavier/lesson.lua", readme.substr(begin, end - begin));
+    sandbox.write("heavier/lesson.lua", lesson_shown("docs/teach.md", "heavier"));
     const ProgramRun check = sandbox.run("check heavier");
     INFO(check.output);
     CHECK(check.output == "heavier: no mistakes found.\n");

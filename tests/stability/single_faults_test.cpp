@@ -1,4 +1,4 @@
-// Every single fault of the fault tree in haptics/SAFETY.md: those that the closed loop can have are broken here, each held to bounds of
+// Every single fault of the fault tree in docs/safety.md: those that the closed loop can have are broken here, each held to bounds of
 // its own; the page's rows and figures are held against what is measured, and each other row has to name the test that shows it.
 #include "tests/support/fault_kinds.h"
 
@@ -27,10 +27,10 @@ std::string read_text(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// The table below this heading of SAFETY.md, its head and rule left out: a row's cells.
+// The table below this heading of docs/safety.md, its head and rule left out: a row's cells.
 using Cells = std::vector<std::string>;
 std::vector<Cells> read_table(const std::string& heading) {
-    std::istringstream page(read_text(kRoot / "haptics/SAFETY.md"));
+    std::istringstream page(read_text(kRoot / "docs/safety.md"));
     std::vector<Cells> rows;
     std::string line;
     bool is_below = false;

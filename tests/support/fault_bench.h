@@ -142,7 +142,7 @@ enum class Notices { nobody, arm, program, both };
     return kNames[static_cast<std::size_t>(who)];
 }
 
-/// One fault: how it is broken, and what haptics/SAFETY.md promises of it.
+/// One fault: how it is broken, and what docs/safety.md promises of it.
 struct FaultKind {
     std::string row;   ///< of the fault tree: what breaks
     std::string name;  ///< in the table of what was measured

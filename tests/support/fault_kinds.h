@@ -1,4 +1,4 @@
-// Every single fault of haptics/SAFETY.md that the closed loop of fault_bench.h can have, in the order of its tree, each with its bounds.
+// Every single fault of docs/safety.md that the closed loop of fault_bench.h can have, in the order of its tree, each with its bounds.
 #pragma once
 
 #include "tests/support/fault_bench.h"
@@ -177,8 +177,8 @@ inline Happens hold_clock(double back_s) {
          0.005, 0, stranger(99, 1000)},
         {"a stranger wants the arm", "commands of 9 N by another program", Notices::nobody,
          Fault::none, 0, 3.4, 0.3, 0.005, 0, stranger(7, 4242)},
-        {"the clutch is held or let go (`device/fitted`)", "the clutch is held", Notices::arm,
-         Fault::clutched, 1, 3.2, 0.05, 0.001, 101, spoil([](DeviceReading& r) {
+        {"the clutch is held or let go (`haptics/device/fitted`)", "the clutch is held",
+         Notices::arm, Fault::clutched, 1, 3.2, 0.05, 0.001, 101, spoil([](DeviceReading& r) {
              r.faults |= Fault::clutched;
              return true;
          })},

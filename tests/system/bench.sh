@@ -30,7 +30,7 @@ for csv in "$folder"/all/*.csv; do
     cmp "$folder/again.svg" "${csv%csv}svg" || fail "$name drawn again from its file is another figure"
 done
 
-# What is kept for README.
+# What is kept for docs/accuracy.md.
 for csv in "$figures"/*.csv; do
     cp "$csv" "$folder/kept.csv"
     "$benchmarks" --draw "$folder/kept.csv"

@@ -1,4 +1,4 @@
--- A material out of another and a picture, as README shows it.
+-- A material out of another and a picture, as docs/teach.md shows it.
 local L = lesson { id = "felt", title = "A cushion", level = "A1", minutes = 1 }
 
 function L:start(world)
