@@ -19,13 +19,21 @@ own() { printf 'namespace fulcrum {\nnamespace {\n%b\n}  // namespace\n}' "$1"; 
 # changes [ROW]: a table of changes with that row.
 changes() { printf 'id\\tkind\\tfile\\ttext\\tchanged\\tequivalent\\n%s' "${1:-1\\tconstant\\tdialogue/english/noun.cpp\\tint   kMost=3;\\tint kMost = -3;\\t}"; }
 
+# measured_row COMMIT COMMAND: a table with one figure.
+measured_row() { printf '| what | figure | command | commit |\\n| --- | --- | --- | --- |\\n| a wall | 3 N | %s | %s |' "$2" "$1"; }
+
 good_tree() {
     tree="$scratch/a tree"
     rm -rf -- "$tree"
-    mkdir -p "$tree"/{haptics/{base,math,loop},dialogue/english,runtime/{app,scene/gltf},scripts,scenarios,assets,cmake,tests/{unit,checks}}
+    mkdir -p "$tree"/{haptics/{base,math,loop},dialogue/english,runtime/{app,scene/gltf},scripts,scenarios,assets,cmake,docs,tests/{unit,checks,stability,support}}
     put LICENSE "MIT"
     put packages.txt "cmake # builds"
-    put README.md "| folder | what |\n|---|---|\n$(cd "$tree" && printf '| `%s` | x |\\n' */)"
+    put README.md "# The house\n\n| folder | what |\n|---|---|\n$(cd "$tree" && printf '| `%s` | x |\\n' */)"
+    put docs/measured.md "# Measured figures\n\n$(measured_row 0a1b2c3d '`./fulcrum bench wall`')\n\n[all](../README.md#the-house) [these](#measured-figures)"
+    put fulcrum '#   ./fulcrum test [-L unit …]  runs all tests'
+    put runtime/app/usage.cpp '  fulcrum run LESSON         play a lesson'
+    put tests/bench/curves/wall.cpp '#include "haptics/loop/step.h"\nconst Registration kWall{{\n    "wall", "stiff", run_wall}};'
+    put tests/bench/figures/wall-cost.csv '# commit: 0a1b2c3d+\n# command: fulcrum bench'
     put haptics/base/error.h '#include <string>'
     put haptics/math/spatial.h '#include "haptics/base/error.h"\n#include <Eigen/Core>'
     put haptics/loop/step.h '#include "haptics/math/spatial.h"\n#include <sys/mman.h>'
@@ -35,6 +43,7 @@ good_tree() {
     put dialogue/english/noun.cpp "$(own 'constexpr int kMost = 3;\nusing Kind = Noun::Kind;\nint twice(int n) {\n    return n;\n}')"
     put tests/unit/main_test.cpp ''
     put tests/unit/noun_test.cpp ''
+    put tests/unit/usage_test.cpp ''
     put tests/checks/untested.txt '# none'
     put tests/mutation/changes.tsv "$(changes)"
     cp "$checks/../../.clang-format" "$tree"
@@ -61,7 +70,7 @@ spoilt() {
 }
 
 good_tree
-for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names changes_apply; do
+for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names changes_apply pages figures; do
     passes "$check"
 done
 
@@ -115,6 +124,31 @@ spoilt project_files 'LICENSE: missing' scripts/good.lua ''
 spoilt project_files 'no row of the folder table for attic/' attic/bad.h ''
 spoilt project_files 'which is not there' README.md '| folder |\n|---|\n| `attic/` | x |'
 spoilt project_files 'fixed paths' scripts/bad.lua 'open("/''tmp/x")'
+spoilt pages '121 lines' README.md "# The house$(printf '\\nx%.0s' {1..120})"
+spoilt pages 'docs/bad.md:2: (../gone.md) leads to no file' docs/bad.md 'a\n[b](../gone.md)'
+spoilt pages 'leads to no file' haptics/loop/bad.md '![`code`](gone.png)'
+spoilt pages 'leads to no heading' docs/bad.md '[a](../README.md#the-attic)'
+spoilt pages 'leads to no heading' docs/bad.md '```\n# Here\n```\n[a](#here)'
+spoilt figures '"today" is no commit' docs/measured.md "$(measured_row today '`./fulcrum bench wall`')"
+spoilt figures '"-" is no commit' docs/measured.md "$(measured_row - '`./fulcrum bench wall`')"
+spoilt figures 'a wall: no command' docs/measured.md "$(measured_row 0a1b2c3d 'by `hand`')"
+spoilt figures 'no benchmark is called attic' docs/measured.md "$(measured_row 0a1b2c3d '`./fulcrum bench wall attic --quick`')"
+spoilt figures 'knows no command walk' docs/measured.md "$(measured_row 0a1b2c3d '`time ./fulcrum walk gravity`')"
+spoilt figures 'is no program' docs/measured.md "$(measured_row 0a1b2c3d '`tests/system/gone.sh`')"
+spoilt figures 'this table: no command' docs/measured.md '| what | figure |\n| --- | --- |\n| a wall | 3 N |'
+spoilt figures 'wall-cost.csv: its figure: "-" is no commit' tests/bench/figures/wall-cost.csv '# commit: unknown\n# command: fulcrum bench'
+spoilt figures 'no benchmark is called attic' tests/bench/figures/attic-cost.csv '# commit: 0a1b2c3d\n# command: fulcrum bench'
+# What was measured before its sources changed is told, and is no failure; nor is what was measured since.
+history() { git -C "$tree" -c user.name=x -c user.email=x "$@"; }
+history init -q && history add . && history commit -qm one
+measured=$(history rev-parse HEAD)
+put docs/measured.md "$(measured_row "$measured" '`./fulcrum bench wall`')"
+said=$("$checks/figures.sh" "$tree")
+[[ $said != *"a wall"* ]] || { echo "figures: tells of what is as it was: $said" && failed=1; }
+put haptics/base/error.h '#include <vector>'
+said=$("$checks/figures.sh" "$tree")
+[[ $said == *"a wall: $measured, haptics/base/error.h"* ]] || { echo "figures: a changed source is not told: $said" && failed=1; }
+good_tree
 if command -v clang-format >/dev/null; then
     spoilt format 'bad.h' runtime/app/bad.h 'int   x ;'
 fi
