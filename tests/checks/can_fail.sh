@@ -131,12 +131,14 @@ spoilt pages 'leads to no heading' docs/bad.md '[a](../README.md#the-attic)'
 spoilt pages 'leads to no heading' docs/bad.md '```\n# Here\n```\n[a](#here)'
 spoilt figures '"today" is no commit' docs/measured.md "$(measured_row today '`./fulcrum bench wall`')"
 spoilt figures '"-" is no commit' docs/measured.md "$(measured_row - '`./fulcrum bench wall`')"
+spoilt figures '"" is no commit' docs/measured.md "$(measured_row '' '`./fulcrum bench wall`')"
+spoilt figures 'this table: "" is no commit' docs/measured.md 'Measured by `.ci/run`.\n\n| what | figure |\n| --- | --- |\n| a wall | 3 N |'
 spoilt figures 'a wall: no command' docs/measured.md "$(measured_row 0a1b2c3d 'by `hand`')"
 spoilt figures 'no benchmark is called attic' docs/measured.md "$(measured_row 0a1b2c3d '`./fulcrum bench wall attic --quick`')"
 spoilt figures 'knows no command walk' docs/measured.md "$(measured_row 0a1b2c3d '`time ./fulcrum walk gravity`')"
 spoilt figures 'is no program' docs/measured.md "$(measured_row 0a1b2c3d '`tests/system/gone.sh`')"
 spoilt figures 'this table: no command' docs/measured.md '| what | figure |\n| --- | --- |\n| a wall | 3 N |'
-spoilt figures 'wall-cost.csv: its figure: "-" is no commit' tests/bench/figures/wall-cost.csv '# commit: unknown\n# command: fulcrum bench'
+spoilt figures 'wall-cost.csv: its figure: "" is no commit' tests/bench/figures/wall-cost.csv '# commit: unknown\n# command: fulcrum bench'
 spoilt figures 'no benchmark is called attic' tests/bench/figures/attic-cost.csv '# commit: 0a1b2c3d\n# command: fulcrum bench'
 # What was measured before its sources changed is told, and is no failure; nor is what was measured since.
 history() { git -C "$tree" -c user.name=x -c user.email=x "$@"; }

@@ -72,9 +72,9 @@ sources_of() {
 
 # ---- the figures ---------------------------------------------------------------------------------------------------
 
-# PLACE, WHAT, COMMANDS with | between them, and COMMIT of each figure.
+# PLACE, WHAT, COMMANDS with | between them, COMMIT and STATE of each figure, with a letter between them that no text has.
 figures() {
-    awk -F ' *[|] *' -v OFS='\t' '
+    awk -F ' *[|] *' -v OFS='\037' '
         # Of the code in a text, what is a command.
         function commands(text,    found, code) {
             while (match(text, /`[^`]+`/)) {
@@ -84,7 +84,7 @@ figures() {
             }
             return found ? found : "-"
         }
-        FNR == 1 || /^#/ { above = commit_above = "-" }
+        FNR == 1 || /^#/ { above = "-"; commit_above = "" }
         /^Measured by `/ { above = commands($0); commit_above = $0; sub(/.*` at /, "", commit_above); sub(/[^0-9a-z].*/, "", commit_above) }
         !/^[|]/ { row = 0; next }
         ++row == 1 { own = $(NF - 1) == "commit" && $(NF - 2) == "command" }
@@ -99,14 +99,14 @@ figures() {
         name=$(basename "$csv" .csv)
         while [[ -z ${parts[$name]:-} && $name == *-* ]]; do name=${name%-*}; done
         commit=$(sed -n 's/^# commit: \([0-9a-f]*\)+\?$/\1/p' "$csv")
-        printf '%s\tits figure\t%s %s\t%s\tmeasured\n' "$csv" "$(sed -n 's/^# command: \(fulcrum bench\).*/\1/p' "$csv")" "$name" "${commit:--}"
+        printf '%s\037its figure\037%s %s\037%s\037measured\n' "$csv" "$(sed -n 's/^# command: \(fulcrum bench\).*/\1/p' "$csv")" "$name" "$commit"
     done
 }
 
 has_history=no
 git cat-file -e HEAD 2>/dev/null && has_history=yes
 n=0 n_old=0
-while IFS=$'\t' read -r place what given commit state; do
+while IFS=$'\037' read -r place what given commit state; do
     n=$((n + 1))
     [[ $given != - ]] || { complain "$place: $what: no command" && continue; }
     [[ $state != open || $commit != - ]] || continue
