@@ -54,7 +54,7 @@ sources_of() {
     sources='' why=''
     if [[ ! $1 =~ $own || $word == */*.sh ]]; then
         [[ $word == ctest || -x $word && ! -d $word ]] || why="\"$word\" is no program of the project's"
-        sources="$program tests"
+        sources="$program tests .ci fulcrum"
     elif [[ ${BASH_REMATCH[3]} == bench ]]; then
         for word in ${BASH_REMATCH[4]}; do
             [[ $word != -* ]] || break
@@ -66,7 +66,7 @@ sources_of() {
         word=${BASH_REMATCH[3]}
         grep -qxF -- "$word" <<<"$verbs" || why="the program knows no command $word"
         sources=$program
-        [[ $word != test ]] || sources+=" tests"
+        [[ $word != test ]] || sources+=" tests fulcrum"
     fi
 }
 
