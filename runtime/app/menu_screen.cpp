@@ -118,7 +118,7 @@ std::vector<LessonCard> read_lesson_cards(const Places& places) {
     for (const std::string& name : list_lesson_names(places)) {
         LessonCard card;
         card.name = name;
-        card.folder = places.scenarios / name;
+        card.folder = find_named_lesson(places, name);
         LessonFiles files;
         files.folder = card.folder;
         files.library = places.scripts_lib;

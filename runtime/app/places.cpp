@@ -1,8 +1,11 @@
 #include "runtime/app/places.h"
 
 #include "runtime/app/options.h"
+#include "runtime/files/user_folder.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 namespace fulcrum::runtime {
@@ -19,6 +22,44 @@ bool is_plain_name(const std::string& name) {
     });
 }
 
+bool is_folder(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_directory(folder, error);
+}
+
+bool holds_lesson(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_regular_file(folder / "lesson.lua", error);
+}
+
+// What belongs to a folder that holds scenarios/, scripts/ and assets/.
+Places places_in(const fs::path& data) {
+    return {data / "scenarios",
+            data / "scripts" / "lib",
+            data / "assets" / "words",
+            data / "assets" / "models",
+            {}};
+}
+
+bool is_whole(const Places& places) {
+    return is_folder(places.scenarios) && is_folder(places.scripts_lib) && is_folder(places.words);
+}
+
+// $XDG_DATA_HOME, then the folders of $XDG_DATA_DIRS.
+std::vector<fs::path> find_data_folders() {
+    std::vector<fs::path> folders{
+        find_user_folder("XDG_DATA_HOME", ".local/share", "set HOME").value_or(fs::path())};
+    const char* shared = std::getenv("XDG_DATA_DIRS");
+    std::istringstream list(shared != nullptr && *shared != '\0' ? shared
+                                                                 : "/usr/local/share:/usr/share");
+    for (std::string folder; std::getline(list, folder, ':');) {
+        if (fs::path(folder).is_absolute()) {
+            folders.emplace_back(folder);
+        }
+    }
+    return folders;
+}
+
 }  // namespace
 
 Expected<Places> find_places() {
@@ -27,33 +68,54 @@ Expected<Places> find_places() {
     if (error) {
         return fail("the program cannot find its own folder", "/proc/self/exe", "mount /proc");
     }
-    return find_places_from(executable);
+    return find_places_from(executable, find_data_folders());
 }
 
-Expected<Places> find_places_from(const fs::path& executable) {
-    std::error_code error;
-    for (fs::path folder = executable.parent_path(); !folder.empty();
-         folder = folder.parent_path()) {
-        if (fs::is_directory(folder / "scenarios", error)) {
-            return Places{folder / "scenarios", folder / "scripts" / "lib",
-                          folder / "assets" / "words",
-                          executable.parent_path() / "assets" / "models"};
-        }
+Expected<Places> find_places_from(const fs::path& executable,
+                                  const std::vector<fs::path>& data_folders) {
+    const fs::path beside = executable.parent_path();
+    const fs::path prefix = beside.parent_path();
+    std::vector<Places> found{places_in(prefix / "share" / "fulcrum")};
+    for (fs::path folder = beside; !folder.empty(); folder = folder.parent_path()) {
+        found.push_back(places_in(folder));
+        found.back().models = beside / "assets" / "models";
         if (folder == folder.root_path()) {
             break;
         }
     }
-    return fail("no scenarios folder lies beside the program or above it", executable.string(),
-                "keep the program inside the project's folder");
+    for (const fs::path& folder : data_folders) {
+        if (!folder.empty()) {
+            found.push_back(places_in(folder / "fulcrum"));
+        }
+    }
+    const auto first = std::ranges::find_if(found, is_whole);
+    if (first == found.end()) {
+        return fail("the program's lessons and words are not found", executable.string(),
+                    "install the package again, or keep the program inside the project's folder");
+    }
+    const fs::path installed = prefix / "libexec" / "fulcrum";
+    first->helpers = is_folder(installed) ? installed : beside;
+    if (!data_folders.empty() && !data_folders.front().empty()) {
+        first->own_scenarios = data_folders.front() / "fulcrum" / "scenarios";
+    }
+    return *first;
+}
+
+fs::path find_named_lesson(const Places& places, const std::string& name) {
+    for (const fs::path& scenarios : {places.own_scenarios, places.scenarios}) {
+        if (!scenarios.empty() && holds_lesson(scenarios / name)) {
+            return scenarios / name;
+        }
+    }
+    return {};
 }
 
 Expected<fs::path> find_lesson(const Places& places, const std::string& name_or_folder) {
     std::error_code error;
-    const auto holds_lesson = [&](const fs::path& folder) {
-        return fs::is_regular_file(folder / "lesson.lua", error);
-    };
-    if (is_plain_name(name_or_folder) && holds_lesson(places.scenarios / name_or_folder)) {
-        return places.scenarios / name_or_folder;
+    if (is_plain_name(name_or_folder)) {
+        if (fs::path named = find_named_lesson(places, name_or_folder); !named.empty()) {
+            return named;
+        }
     }
     if (holds_lesson(name_or_folder)) {
         return fs::path(name_or_folder);
@@ -76,12 +138,15 @@ Expected<fs::path> find_lesson(const Places& places, const std::string& name_or_
 
 std::vector<std::string> list_lesson_names(const Places& places) {
     std::vector<std::string> names;
-    std::error_code error;
-    for (const fs::path& entry : entries_of(places.scenarios)) {
-        if (fs::is_regular_file(entry / "lesson.lua", error)) {
-            names.push_back(entry.filename().string());
+    for (const fs::path& scenarios : {places.own_scenarios, places.scenarios}) {
+        for (const fs::path& entry : entries_of(scenarios)) {
+            if (holds_lesson(entry)) {
+                names.push_back(entry.filename().string());
+            }
         }
     }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
 

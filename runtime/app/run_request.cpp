@@ -10,7 +10,6 @@
 #include <chrono>
 #include <cstdio>
 #include <random>
-#include <system_error>
 
 namespace fulcrum::runtime {
 namespace {
@@ -90,7 +89,7 @@ Expected<void> choose_answers(const Options& options, bool in_window, RunRequest
 }
 
 // Which program hears, and what.
-Expected<void> choose_hearing(const Options& options, RunRequest& request) {
+Expected<void> choose_hearing(const Places& places, const Options& options, RunRequest& request) {
     request.plan.speech = options.speech;
     if (options.speech == SpeechInput::text) {
         if (options.hear.empty() && !options.sureness) {
@@ -107,9 +106,7 @@ Expected<void> choose_hearing(const Options& options, RunRequest& request) {
     if (options.speech == SpeechInput::external) {
         hearing.words = {"/bin/sh", "-c", options.hearing};
     } else {
-        std::error_code error;
-        const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
-        hearing.words = {(own.parent_path() / "fulcrum-sphinx").string()};
+        hearing.words = {(places.helpers / kSphinxHelper).string()};
         hearing.takes_throat = true;
         hearing.throat = options.throat.value_or(0.0);
     }
@@ -264,7 +261,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.first_use = options.first_use;
     return choose_hands(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
-        .and_then([&] { return choose_hearing(options, request); })
+        .and_then([&] { return choose_hearing(places, options, request); })
         .and_then([&] { return choose_clock(options, request); })
         .map([&] { return std::move(request); });
 }

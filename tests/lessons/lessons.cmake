@@ -5,4 +5,4 @@ target_compile_definitions(test_lessons PRIVATE FULCRUM_PROGRAM="$<TARGET_FILE:f
                                                 FULCRUM_SCENARIOS="${CMAKE_SOURCE_DIR}/scenarios"
                                                 FULCRUM_EXAMPLES="${CMAKE_SOURCE_DIR}/examples")
 target_sources(test_lessons PRIVATE ${CMAKE_SOURCE_DIR}/tests/lessons/program.cpp)
-add_dependencies(test_lessons fulcrum fulcrum-sphinx fulcrum_assets)
+add_dependencies(test_lessons fulcrum_program)

@@ -19,24 +19,76 @@ struct Installation {
         root = mkdtemp(pattern.data());
         fs::create_directories(root / "scenarios" / "gravity");
         fs::create_directories(root / "scenarios" / "empty");
+        fs::create_directories(root / "scripts" / "lib");
+        fs::create_directories(root / "assets" / "words");
         fs::create_directories(root / "build" / "dev" / "assets" / "models");
         std::ofstream(root / "scenarios" / "gravity" / "lesson.lua") << "return nil";
         std::ofstream(root / "build" / "dev" / "assets" / "models" / "apple.glb") << "x";
     }
     ~Installation() { fs::remove_all(root); }
     [[nodiscard]] Places places() const {
-        return find_places_from(root / "build" / "dev" / "fulcrum").value();
+        return find_places_from(root / "build" / "dev" / "fulcrum", {own()}).value();
     }
+    // Where the user's data is.
+    [[nodiscard]] fs::path own() const { return root / "home" / "share"; }
 };
 
 }  // namespace
 
-TEST_CASE("places: the folder above the program that holds scenarios is the installation") {
+TEST_CASE(
+    "places: the folder above the program that holds lessons, scripts and words is the checkout") {
     const Installation installation;
     const Places places = installation.places();
     CHECK(places.scenarios == installation.root / "scenarios");
     CHECK(places.models == installation.root / "build" / "dev" / "assets" / "models");
-    CHECK_FALSE(find_places_from("/nowhere/at/all/fulcrum"));
+    CHECK(places.helpers == installation.root / "build" / "dev");
+    fs::remove_all(installation.root / "assets");
+    CHECK_FALSE(find_places_from(installation.root / "build" / "dev" / "fulcrum", {}));
+    CHECK_FALSE(find_places_from("/nowhere/at/all/fulcrum", {}));
+}
+
+TEST_CASE(
+    "places: an installed program finds its data and its helpers below the prefix, wherever that "
+    "is") {
+    const Installation installation;
+    const fs::path prefix = installation.root / "prefix";
+    const fs::path data = prefix / "share" / "fulcrum";
+    for (const char* part : {"scenarios", "scripts/lib", "assets/words"}) {
+        fs::create_directories(data / part);
+    }
+    fs::create_directories(prefix / "libexec" / "fulcrum");
+    const auto places = find_places_from(prefix / "bin" / "fulcrum", {installation.own()});
+    REQUIRE(places);
+    CHECK(places->scenarios == data / "scenarios");
+    CHECK(places->scripts_lib == data / "scripts" / "lib");
+    CHECK(places->words == data / "assets" / "words");
+    CHECK(places->models == data / "assets" / "models");
+    CHECK(places->helpers == prefix / "libexec" / "fulcrum");
+    // Alone in another folder it finds that data all the same.
+    const auto alone =
+        find_places_from("/nowhere/at/all/fulcrum", {installation.own(), prefix / "share"});
+    REQUIRE(alone);
+    CHECK(alone->scenarios == data / "scenarios");
+    CHECK(alone->helpers == "/nowhere/at/all");
+}
+
+TEST_CASE(
+    "places: lessons of the user's own stand beside the others, and before one of the same name") {
+    const Installation installation;
+    const fs::path own = installation.own() / "fulcrum" / "scenarios";
+    for (const char* name : {"stone", "gravity"}) {
+        fs::create_directories(own / name);
+        std::ofstream(own / name / "lesson.lua") << "return nil";
+    }
+    const Places places = installation.places();
+    CHECK(list_lesson_names(places) == std::vector<std::string>{"gravity", "stone"});
+    CHECK(find_lesson(places, "stone") == own / "stone");
+    CHECK(find_lesson(places, "gravity") == own / "gravity");
+    // Who has no home folder has none.
+    const auto none =
+        find_places_from(installation.root / "build" / "dev" / "fulcrum", {fs::path()});
+    REQUIRE(none);
+    CHECK(list_lesson_names(*none) == std::vector<std::string>{"gravity"});
 }
 
 TEST_CASE("places: a lesson is found by name and by folder; a slip gets the nearest name") {
