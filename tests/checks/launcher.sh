@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# launcher.sh: plays ./fulcrum in a scratch checkout, in a folder with a space, where the tools it calls (dpkg-query,
+# launcher.sh: plays ./fulcrum in a scratch checkout, in a folder with a blank and Korean letters, where the tools it calls (dpkg-query,
 # apt-get, sudo, cmake, ninja, ctest) are short scripts that write down what they were asked.
 set -euo pipefail
 launcher=$(cd -- "$(dirname -- "$0")/../.." && pwd)/fulcrum
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
-tree="$scratch/a checkout"
+tree="$scratch/새 교실 checkout"
 calls=$scratch/calls
 installed=$scratch/installed
 failed=0
@@ -16,7 +16,7 @@ tool() {
     chmod +x "$scratch/bin/$1"
 }
 
-mkdir -p "$scratch/bin" "$tree"/{cmake,haptics,dialogue,runtime,assets,tests}
+mkdir -p "$scratch/bin" "$tree"/{cmake,haptics,dialogue,runtime,assets,packaging,tests}
 cp "$launcher" "$tree/fulcrum"
 printf 'alpha   # the first reason\nbeta    # the second reason\nbet     # its name begins another\n' >"$tree/packages.txt"
 printf 'gamma # for tests\n' >"$tree/packages-test.txt"
@@ -27,7 +27,8 @@ for name; do grep -qxF "$name" "$installed" && printf '%s:installed ' "$name"; d
 EOT
 tool apt-get <<'EOT'
 echo "apt-get $*" >>"$calls"
-[[ ! -e $scratch/no_network ]] || { echo "E: no network" >&2; exit 100; }
+[[ ! -e $scratch/no_network ]] || { echo "E: Temporary failure resolving 'a.mirror'" >&2; exit 100; }
+[[ ! -e $scratch/no_package ]] || { echo "E: Unable to locate package" >&2; exit 100; }
 if [[ " $* " == *" install "* ]]; then
     for name; do printf '%s\n' "$name" >>"$installed"; done
 fi
@@ -39,14 +40,39 @@ while [[ $1 == -* ]]; do shift; done
 "$@"
 EOT
 tool cmake <<'EOT'
+[[ $1 != --version ]] || { echo "cmake version 3.18.4"; exit; }
 echo "cmake $*" >>"$calls"
-mkdir -p "build/$2" && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"build/$2/CMakeCache.txt"
+if [[ -e $scratch/cmake_says ]]; then
+    cat "$scratch/cmake_says"
+    exit 1
+fi
+mkdir -p "build/$2" && echo "rules" >"build/$2/build.ninja" && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"build/$2/CMakeCache.txt"
 EOT
 tool ninja <<'EOT'
+if [[ $3 == -t ]]; then
+    printf 'app.o: #deps 2, deps mtime 1 (VALID)\n    %s\n    ../../runtime/app.cpp\n' "$scratch/a system header.h"
+    exit
+fi
 echo "ninja $*" >>"$calls"
 [[ ! -e $scratch/busy ]] || { echo "two builds at once" >>"$calls"; }
 touch "$scratch/busy"; sleep 0.2; rm "$scratch/busy"
 echo "[1/2] Building CXX object app.o"
+if [[ -e $scratch/slow && $* == *" all" ]]; then
+    touch "$scratch/tests_begun"
+    while [[ -e $scratch/slow ]]; do sleep 0.02; done
+fi
+if [[ -e $scratch/endless ]]; then
+    touch "$scratch/begun"
+    exec sleep 60
+fi
+if [[ -e $scratch/ninja_says ]]; then
+    cat "$scratch/ninja_says"
+    exit 1
+fi
+if [[ -e $2/damaged ]]; then
+    echo 'ld: app.o: file not recognized: file truncated'
+    exit 1
+fi
 if [[ -e $scratch/broken ]]; then
     printf 'FAILED: app.o\ng++ -Werror app.cpp\napp.cpp:3:1: error: the first mistake\napp.cpp:9:1: error: the second\n'
     exit 1
@@ -82,12 +108,19 @@ expect() {
 
 # Nothing can be installed: one sentence, with what to type; nothing is built.
 : >"$installed"
-touch "$scratch/no_network" "$scratch/no_sudo"
+touch "$scratch/no_package" "$scratch/no_sudo"
+touch "$scratch/a system header.h"
 start run gravity
 expect "without packages: status" "$status" 2
 expect "without packages: the command to type" "$err" "*type: apt-get update && apt-get install -y --no-install-recommends alpha beta bet"
 expect "without packages: nothing is built" "$called" '!(*ninja*)'
-rm "$scratch/no_network" "$scratch/no_sudo"
+rm "$scratch/no_package" "$scratch/no_sudo"
+touch "$scratch/no_network"
+start run gravity
+expect "without a network: status" "$status" 2
+expect "without a network: one sentence behind what is needed" "${err##*$'\n'}" "fulcrum: there is no network, so packages are missing; connect it and start again: alpha beta bet"
+expect "without a network: nothing is built" "$called" '!(*ninja*)'
+rm "$scratch/no_network"
 
 # Only what is missing is installed, after its reason was said.
 echo beta >"$installed"
@@ -96,7 +129,7 @@ expect "missing packages: reasons" "$err" '*alpha   # the first reason*bet     #
 expect "missing packages: those that are there are left" "$err" '!(*second reason*)'
 expect "missing packages: installed" "$called" '*install --no-install-recommends alpha bet*'
 expect "the first start: configured" "$called" '*cmake --preset dev*'
-expect "the first start: builds the program and what it reads" "$called" '*ninja * fulcrum fulcrum_assets*'
+expect "the first start: builds the program and what it reads" "$called" '*ninja * fulcrum_program'
 expect "the program gets its arguments, and standard output is its own" "$out" '<program><run><gravity><two words>'
 expect "the program's status is the launcher's" "$status" 7
 
@@ -129,8 +162,97 @@ rm "$scratch/broken"
 start
 expect "a mended build: built again" "$called" 'ninja*'
 
-# Two at once.
+# What goes wrong in a build is one sentence, and nothing is lost.
+# says WHAT PATTERN: of the last start, whose build failed: that it said so in one sentence, that nothing ran, and that what was
+# there is there.
+says() {
+    expect "$1: status" "$status" 2
+    expect "$1: one sentence" "$(grep -vE '…$|^  step' <<<"$err")" "fulcrum: $2"
+    expect "$1: nothing runs" "$out" ''
+    expect "$1: the program is still there" "$(compgen -G "$tree/build/dev/fulcrum")" '*fulcrum'
+}
 touch "$tree/haptics/newer.cpp"
+echo 'as: app.o: No space left on device' >"$scratch/ninja_says"
+start
+says "a full disk" 'the disk is full at */build; make room there*start again*'
+echo 'g++: fatal error: Killed signal terminated program cc1plus' >"$scratch/ninja_says"
+start
+says "a full memory" 'the memory is full; *FULCRUM_JOBS=1*'
+rm "$scratch/ninja_says"
+echo 'No CMAKE_CXX_COMPILER could be found.' >"$scratch/cmake_says"
+touch "$tree/CMakePresets.json"
+start
+says "no compiler" 'there is no C++ compiler that works; install g++*'
+echo 'cmake_minimum_required(VERSION 3.25)' >"$tree/CMakeLists.txt"
+echo 'CMake 3.25 or higher is required.  You are running version 3.18.4' >"$scratch/cmake_says"
+start
+says "an old CMake" 'cmake version 3.18.4 is too old; *3.25 or newer*'
+rm "$scratch/cmake_says"
+start
+expect "mended: configured, built and run" "$called$out" 'cmake*ninja*<program>'
+
+# Where nothing can be written, what is up to date runs, and what is not is one sentence.
+as_nobody=()
+[[ $EUID -ne 0 ]] || as_nobody=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+chmod a+rwx "$scratch" && chmod a+w "$calls" && chmod a-w "$tree" "$tree"/build "$tree/build/dev"
+start_as_nobody() {
+    : >"$calls"
+    status=0
+    out=$("${as_nobody[@]}" "$tree/fulcrum" 2>"$scratch/err" </dev/null) || status=$?
+    err=$(<"$scratch/err")
+    called=$(<"$calls")
+}
+start_as_nobody
+expect "a read-only checkout that is up to date: runs" "$out" '<program>'
+expect "a read-only checkout that is up to date: says nothing" "$err" ''
+sleep 0.02 && touch "$tree/haptics/newer.cpp"
+start_as_nobody
+says "a read-only checkout" '*/build cannot be written to (Permission denied); copy the whole folder*'
+chmod u+w "$tree" "$tree"/build "$tree/build/dev"
+
+# A build that was cut off: by Ctrl-C, by a power failure, in the middle of configuring.
+touch "$scratch/endless" "$tree/haptics/newer.cpp"
+set -m # a group of its own, as at a terminal
+"$tree/fulcrum" >/dev/null 2>"$scratch/err" &
+waiting=$!
+set +m
+until [[ -e $scratch/begun ]]; do sleep 0.01; done
+kill -INT -- "-$waiting"
+status=0
+wait "$waiting" || status=$?
+err=$(<"$scratch/err")
+expect "Ctrl-C: status" "$status" 130
+expect "Ctrl-C: one sentence" "$(grep -vE '…$|^  step' <<<"$err")" 'Stopped; what is built stays, and the next start goes on from there.'
+rm "$scratch/endless"
+start
+expect "Ctrl-C: the next start builds on" "$called" 'ninja*'
+expect "Ctrl-C: the next start does not begin anew" "$called" '!(*cmake*)'
+touch "$tree/haptics/newer.cpp"
+touch "$tree/build/dev/damaged"
+start
+expect "damaged files: built anew" "$called" 'ninja*cmake*ninja*'
+expect "damaged files: runs" "$out" '<program>'
+rm "$tree/build/dev/build.ninja"
+touch "$tree/haptics/newer.cpp"
+start
+expect "configured by half: configured" "$called" 'cmake*ninja*'
+rm "$tree/build/dev/fulcrum"
+start
+expect "a program that is not there: built" "$called$out" 'ninja*<program>'
+
+# Packages that come and go are asked after, and build nothing of what does not read them.
+sleep 0.02
+sed "s|^installed_packages=.*|installed_packages=$scratch/status|" "$launcher" >"$tree/fulcrum"
+touch "$scratch/status"
+start
+expect "another package: nothing is built" "$called" ''
+expect "another package: runs" "$out" '<program>'
+sleep 0.02 && touch "$scratch/a system header.h" && touch "$scratch/status"
+start
+expect "another version of what was read: built" "$called" 'cmake*ninja*'
+
+# Two at once.
+touch "$tree/haptics/newest.cpp"
 : >"$calls"
 "$tree/fulcrum" >/dev/null 2>&1 &
 first=$!
@@ -146,7 +268,7 @@ start
 expect "a moved checkout: configured and built" "$called" 'cmake*ninja*'
 
 # The emergency stop waits for nothing, whatever has changed or is missing.
-touch "$tree/haptics/newest.cpp"
+touch "$tree/haptics/very_newest.cpp"
 echo 'zeta # not there' >>"$tree/packages.txt"
 start stop
 expect "stop: no package is asked for, nothing is built" "$called" ''
@@ -181,6 +303,20 @@ expect "test: to ctest" "$out" '<ctest><--test-dir><*/moved here/build/dev><-j><
 expect "test: ctest's status" "$status" 8
 start test gravity
 expect "test LESSON: to the program" "$out" '<program><test><gravity>'
+
+# Whose own program is up to date waits for nobody, nor for what another start builds beside it.
+touch "$tree/haptics/newest.cpp" "$scratch/slow"
+"$tree/fulcrum" test >/dev/null 2>&1 &
+tests=$!
+until [[ -e $scratch/tests_begun ]]; do sleep 0.01; done
+start
+expect "tests are built: a start waits for nothing" "$err" ''
+expect "tests are built: a start runs" "$out" '<program>'
+touch "$tree/runtime/app.cpp"
+(sleep 1.5 && rm "$scratch/slow") &
+start
+expect "tests are built and the program is old: waits, then builds" "$err" '*waiting for it*Built in*'
+wait "$tests" || true
 
 # Benchmarks.
 printf 'epsilon # a peer\n' >"$tree/packages-peers.txt"
