@@ -9,15 +9,15 @@ fail() {
     echo "helpers.sh: $*" >&2
     exit 1
 }
-ninja -C "$build" -t inputs fulcrum_program >"$folder/inputs"
-grep -qxF fulcrum "$folder/inputs" || fail "ninja does not say what fulcrum_program builds"
+ninja -C "$build" -t commands fulcrum_program >"$folder/commands"
 
-# Programs lie in the build folder itself; models are made by the stamp's rule.
+# Programs are linked into the build folder itself; models are made by the stamp's rule.
 mkdir "$folder/tree"
 while read -r file; do
-    [[ $file == */* || ! -f $build/$file || ! -x $build/$file ]] || ln "$build/$file" "$folder/tree/$file"
-done <"$folder/inputs"
-if grep -qxF assets/models.stamp "$folder/inputs"; then
+    ln "$build/$file" "$folder/tree/$file"
+done < <(grep -oE -- ' -o fulcrum[^ /]*' "$folder/commands" | cut -d ' ' -f 3)
+[[ -x $folder/tree/fulcrum ]] || fail "ninja does not say what fulcrum_program builds"
+if grep -qF models.stamp "$folder/commands"; then
     mkdir "$folder/tree/assets" && ln -s "$build/assets/models" "$folder/tree/assets/models"
 fi
 
