@@ -17,6 +17,10 @@ if(TARGET fulcrum AND TARGET fulcrum_hid_shim)
                    $<TARGET_FILE:fulcrum_virtual_hid>)
   set_tests_properties("system: a joystick's force is tried once for each learner, and one that pushes the wrong way gives none"
                        PROPERTIES LABELS system TIMEOUT 180 RUN_SERIAL ON ENVIRONMENT ${environment})
+  add_test(NAME "system: udev is told which devices can be a hand, whatever their bus"
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/system/is_hand.sh $<TARGET_FILE:fulcrum-is-hand>)
+  set_tests_properties("system: udev is told which devices can be a hand, whatever their bus"
+                       PROPERTIES LABELS system TIMEOUT 30)
   add_test(NAME "system: devices are listed through udev, with what is missing"
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/devices.sh $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_hid_shim>
                    $<TARGET_FILE:fulcrum_virtual_hid>)

@@ -68,6 +68,13 @@ std::string hexadecimal(std::uint16_t number) {
     return text.data();
 }
 
+// As the kernel writes it in a HID device's name: bus:vendor:product.number.
+std::string in_capitals(std::uint16_t number) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "%04X", number);
+    return text.data();
+}
+
 tl::unexpected<Error> no_permission(const HidNode& node) {
     return fail(call(node) + " is there, but this user may not open it", node.path,
                 "add the line " + udev_rule(node) + " to " + kUdevRules +
@@ -145,8 +152,8 @@ Expected<HidNode> choose_hand(HidBus& bus, const std::string& path) {
 }
 
 std::string udev_rule(const HidNode& node) {
-    return R"(KERNEL=="hidraw*", ATTRS{idVendor}==")" + hexadecimal(node.vendor) +
-           R"(", ATTRS{idProduct}==")" + hexadecimal(node.product) + R"(", TAG+="uaccess")";
+    return R"(KERNEL=="hidraw*", KERNELS=="*:)" + in_capitals(node.vendor) + ":" +
+           in_capitals(node.product) + R"(.*", TAG+="uaccess")";
 }
 
 }  // namespace fulcrum::hid

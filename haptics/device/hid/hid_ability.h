@@ -38,7 +38,7 @@ struct HidAbility {
 /// stick. Says what is missing where there is none that can be opened.
 [[nodiscard]] Expected<HidNode> choose_hand(HidBus& bus, const std::string& path);
 
-/// The line for udev that lets everybody at the screen use this device.
+/// The line for udev that lets everybody at the screen use this device, plugged in or by Bluetooth.
 [[nodiscard]] std::string udev_rule(const HidNode& node);
 /// Where that line goes.
 inline constexpr const char* kUdevRules = "/etc/udev/rules.d/70-fulcrum.rules";

@@ -54,7 +54,7 @@ TEST_CASE("device list: without permission the line for udev and its place are t
           "Force stick (045e:001b): 3 axes, 8 buttons, force along 2 axes.\n"
           "    /dev/hidraw2: this user may not open it; add the line below to "
           "/etc/udev/rules.d/70-fulcrum.rules, then unplug it and plug it in again.\n"
-          "    KERNEL==\"hidraw*\", ATTRS{idVendor}==\"045e\", ATTRS{idProduct}==\"001b\", "
+          "    KERNEL==\"hidraw*\", KERNELS==\"*:045E:001B.*\", "
           "TAG+=\"uaccess\"\n");
 }
 
@@ -87,6 +87,6 @@ TEST_CASE("device list: programs read the same") {
     CHECK(stick["ids"] == "045e:001b");
     CHECK(stick["force_axes"] == 2);
     CHECK(stick["path"] == "/dev/hidraw2");
-    CHECK(stick["udev_rule"].get<std::string>().find("ATTRS{idVendor}==\"045e\"") !=
+    CHECK(stick["udev_rule"].get<std::string>().find("KERNELS==\"*:045E:001B.*\"") !=
           std::string::npos);
 }

@@ -125,7 +125,7 @@ TEST_CASE("HID ability: without permission the sentence names the rule and its p
         REQUIRE_FALSE(refused);
         CHECK(to_sentence(refused.error()) ==
               "/dev/hidraw4: SpaceNavigator is there, but this user may not open it; add the line "
-              "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"046d\", ATTRS{idProduct}==\"c626\", "
+              "KERNEL==\"hidraw*\", KERNELS==\"*:046D:C626.*\", "
               "TAG+=\"uaccess\" to /etc/udev/rules.d/70-fulcrum.rules, then unplug it and plug it "
               "in again.");
     }
