@@ -215,6 +215,7 @@ RecordHeader describe_run(const FactSources& run) {
     Facts facts(header.facts);
     facts.add("program.version", kProgramVersion);
     facts.add("program.build", program_build_id());
+    facts.add("program.processor", kProgramProcessor);
     for (const fs::path& file : run.files) {
         facts.add_file("lesson.", file, run.request.folder);
     }
