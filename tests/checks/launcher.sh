@@ -247,6 +247,10 @@ touch "$scratch/status"
 start
 expect "another package: nothing is built" "$called" ''
 expect "another package: runs" "$out" '<program>'
+start bench
+sleep 0.02 && touch "$scratch/status"
+start bench
+expect "another package: benchmarks look for libraries again" "$called" 'cmake --preset release*ninja*fulcrum_bench'
 sleep 0.02 && touch "$scratch/a system header.h" && touch "$scratch/status"
 start
 expect "another version of what was read: built" "$called" 'cmake*ninja*'
