@@ -33,8 +33,9 @@ if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(fulcrum_options INTERFACE -fpch-preprocess)
 endif()
 if(FULCRUM_PORTABLE)
-  # What is given to others is the same bytes wherever it was built.
-  target_compile_options(fulcrum_options INTERFACE -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.)
+  # What is given to others is the same bytes wherever it was built, with a compiler cache or without: no paths, nor what debuggers
+  # read, which would change the program's build id.
+  target_compile_options(fulcrum_options INTERFACE -ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -g0)
 else()
   include(CheckCXXSourceRuns)
   check_cxx_source_runs("int main(){return __builtin_cpu_supports(\"avx2\")&&__builtin_cpu_supports(\"fma\")&&__builtin_cpu_supports(\"bmi2\")?0:1;}" FULCRUM_CPU_HAS_V3)
