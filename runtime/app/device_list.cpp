@@ -1,11 +1,11 @@
 #include "runtime/app/device_list.h"
 
 #include "haptics/device/hid/hid_ability.h"
+#include "runtime/text/json.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace fulcrum::runtime {
@@ -112,23 +112,23 @@ std::string devices_text(const std::vector<DeviceEntry>& entries) {
 }
 
 std::string devices_json(const std::vector<DeviceEntry>& entries) {
-    nlohmann::ordered_json devices = nlohmann::ordered_json::array();
+    Json devices = Json::array();
     for (const DeviceEntry& entry : entries) {
-        devices.push_back({{"name", entry.name},
-                           {"kind", entry.kind},
-                           {"path", entry.path},
-                           {"ids", entry.ids},
-                           {"hand", entry.hand},
-                           {"axes", entry.axes},
-                           {"buttons", entry.buttons},
-                           {"force_axes", entry.force_axes},
-                           {"usable", entry.usable},
-                           {"missing", entry.missing},
-                           {"to_do", entry.to_do},
-                           {"udev_rule", entry.udev_rule}});
+        devices.push_back(Json::object({{"name", entry.name},
+                                        {"kind", entry.kind},
+                                        {"path", entry.path},
+                                        {"ids", entry.ids},
+                                        {"hand", entry.hand},
+                                        {"axes", entry.axes},
+                                        {"buttons", entry.buttons},
+                                        {"force_axes", entry.force_axes},
+                                        {"usable", entry.usable},
+                                        {"missing", entry.missing},
+                                        {"to_do", entry.to_do},
+                                        {"udev_rule", entry.udev_rule}}));
     }
-    const nlohmann::ordered_json whole = {{"devices", devices}, {"udev_file", hid::kUdevRules}};
-    return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return Json::object({{"devices", std::move(devices)}, {"udev_file", hid::kUdevRules}})
+        .to_text();
 }
 
 }  // namespace fulcrum::runtime

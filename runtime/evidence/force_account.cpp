@@ -2,12 +2,12 @@
 
 #include "haptics/math/length.h"
 #include "runtime/evidence/record_words.h"
+#include "runtime/text/json.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace fulcrum::runtime {
 namespace {
@@ -46,37 +46,36 @@ std::string row(const std::string& name, const Wrench& part_W, const Wrench& fel
     return line + "\n";
 }
 
-nlohmann::ordered_json json_of(const Vector3& v) {
-    return {v.x(), v.y(), v.z()};
+Json json_of(const Vector3& v) {
+    return Json::array({v.x(), v.y(), v.z()});
 }
 
-nlohmann::ordered_json json_of(const std::string& name, const Wrench& part_W,
-                               const Wrench& felt_W) {
-    return {{"name", name},
-            {"force_N", json_of(part_W.force)},
-            {"torque_Nm", json_of(part_W.torque)},
-            {"newtons", compute_length(part_W.force)},
-            {"direction", direction_words(part_W.force)},
-            {"percent", percent_of(part_W.force, felt_W.force)}};
+Json json_of(const std::string& name, const Wrench& part_W, const Wrench& felt_W) {
+    return Json::object({{"name", name},
+                         {"force_N", json_of(part_W.force)},
+                         {"torque_Nm", json_of(part_W.torque)},
+                         {"newtons", compute_length(part_W.force)},
+                         {"direction", direction_words(part_W.force)},
+                         {"percent", percent_of(part_W.force, felt_W.force)}});
 }
 
-nlohmann::ordered_json json_of(const ForceAccount& account) {
+Json json_of(const ForceAccount& account) {
     const Wrench& felt_W = account.felt_W;
-    nlohmann::ordered_json effects = nlohmann::ordered_json::array();
+    Json effects = Json::array();
     for (const ForcePart& part : account.effects) {
         effects.push_back(json_of(part.name, part.wrench_W, felt_W));
     }
-    return {{"hand", account.hand + 1},
-            {"time_s", account.time_s},
-            {"round", account.tick},
-            {"touched", account.touched},
-            {"gate", gate_word(account.gate)},
-            {"faults", fault_words(account.faults)},
-            {"effects", std::move(effects)},
-            {"asked", json_of("asked for", account.asked_W, felt_W)},
-            {"limits", json_of("the limits", account.limit_W, felt_W)},
-            {"taken_by_gate", json_of("the gate", account.gate_W, felt_W)},
-            {"felt", json_of("felt", felt_W, felt_W)}};
+    return Json::object({{"hand", account.hand + 1},
+                         {"time_s", account.time_s},
+                         {"round", account.tick},
+                         {"touched", account.touched},
+                         {"gate", gate_word(account.gate)},
+                         {"faults", fault_words(account.faults)},
+                         {"effects", std::move(effects)},
+                         {"asked", json_of("asked for", account.asked_W, felt_W)},
+                         {"limits", json_of("the limits", account.limit_W, felt_W)},
+                         {"taken_by_gate", json_of("the gate", account.gate_W, felt_W)},
+                         {"felt", json_of("felt", felt_W, felt_W)}});
 }
 
 std::string number(double value, const char* format) {
@@ -177,15 +176,14 @@ std::string account_text(const ForceAccount& account) {
 }
 
 std::string accounts_json(std::span<const ForceAccount> accounts) {
-    nlohmann::ordered_json hands = nlohmann::ordered_json::array();
+    Json hands = Json::array();
     for (const ForceAccount& account : accounts) {
         hands.push_back(json_of(account));
     }
-    const nlohmann::ordered_json whole = {
-        {"version", 2},
-        {"lesson", accounts.empty() ? std::string() : accounts.front().lesson},
-        {"hands", std::move(hands)}};
-    return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return Json::object({{"version", 2},
+                         {"lesson", accounts.empty() ? std::string() : accounts.front().lesson},
+                         {"hands", std::move(hands)}})
+        .to_text();
 }
 
 }  // namespace fulcrum::runtime

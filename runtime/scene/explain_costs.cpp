@@ -3,11 +3,11 @@
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_tool.h"
 #include "runtime/scene/tool_bodies.h"
+#include "runtime/text/json.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -43,39 +43,43 @@ std::string error_row(const PlanStage& stage, const StageError& error) {
     return text.data();
 }
 
-nlohmann::ordered_json json_of(const PlanStage& stage) {
-    return {{"loop", stage.loop},          {"stage", stage.name},
-            {"rate_hz", stage.rate_hz},    {"memory_bytes", stage.memory_bytes},
-            {"asked_by_line", stage.line}, {"because", stage.because}};
+Json json_of(const PlanStage& stage) {
+    return Json::object({{"loop", stage.loop},
+                         {"stage", stage.name},
+                         {"rate_hz", stage.rate_hz},
+                         {"memory_bytes", stage.memory_bytes},
+                         {"asked_by_line", stage.line},
+                         {"because", stage.because}});
 }
 
-void add_costs(nlohmann::ordered_json& stages, const Analysis& analysis) {
+void add_costs(Json& stages, const Analysis& analysis) {
     const double total_us = analysis.total_us();
     for (const StageFigures& figures : analysis.stages) {
-        nlohmann::ordered_json& stage = stages.at(figures.stage);
-        stage["calls"] = figures.calls;
-        stage["median_us"] = figures.median_us;
-        stage["p99_us"] = figures.p99_us;
-        stage["share"] = total_us > 0.0 ? figures.total_us / total_us : 0.0;
-        stage["errors"] = nlohmann::ordered_json::array();
+        Json errors = Json::array();
         for (const StageError& error : figures.errors) {
-            stage["errors"].push_back({{"what", error.what},
-                                       {"value", error.value},
-                                       {"unit", error.unit},
-                                       {"against", error.against}});
+            errors.push_back(Json::object({{"what", error.what},
+                                           {"value", error.value},
+                                           {"unit", error.unit},
+                                           {"against", error.against}}));
         }
+        Json& stage = stages.at(figures.stage);
+        stage.add("calls", figures.calls);
+        stage.add("median_us", figures.median_us);
+        stage.add("p99_us", figures.p99_us);
+        stage.add("share", total_us > 0.0 ? figures.total_us / total_us : 0.0);
+        stage.add("errors", std::move(errors));
     }
 }
 
-nlohmann::ordered_json json_of_materials(const LessonDescription& lesson, const Plan& plan) {
-    nlohmann::ordered_json materials = nlohmann::ordered_json::array();
+Json json_of_materials(const LessonDescription& lesson, const Plan& plan) {
+    Json materials = Json::array();
     const std::size_t n = std::min(lesson.materials.size(), plan.material_facts.size());
     for (std::size_t i = 0; i < n; ++i) {
         const MaterialFacts& facts = plan.material_facts[i];
-        materials.push_back({{"name", lesson.materials[i].felt.name},
-                             {"hardness", facts.hardness},
-                             {"roughness", facts.roughness},
-                             {"slipperiness", facts.slipperiness}});
+        materials.push_back(Json::object({{"name", lesson.materials[i].felt.name},
+                                          {"hardness", facts.hardness},
+                                          {"roughness", facts.roughness},
+                                          {"slipperiness", facts.slipperiness}}));
     }
     return materials;
 }
@@ -84,14 +88,16 @@ const char* source_of(ShapeSource source) {
     return source == ShapeSource::made ? "made" : "cache";
 }
 
-nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan& plan) {
+Json json_of_tool(const LessonDescription& lesson, const Plan& plan) {
     const ToolDescription& tool = *lesson.hand.tool;
-    nlohmann::ordered_json bodies = nlohmann::ordered_json::array();
+    Json bodies = Json::array();
     const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.haptic.tool);
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids[i].body);
-        bodies.push_back({{"name", lesson.bodies[body].name},
-                          {"voxels", facts[i].frame.n_cells},
+        const auto& n_cells = facts[i].frame.n_cells;
+        bodies.push_back(
+            Json::object({{"name", lesson.bodies[body].name},
+                          {"voxels", Json::array({n_cells[0], n_cells[1], n_cells[2]})},
                           {"voxel_m", facts[i].frame.voxel_m},
                           {"triangles", facts[i].n_triangles},
                           {"levels", facts[i].n_levels},
@@ -101,23 +107,23 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
                           {"texture_m", facts[i].texture_m},
                           {"rounded", facts[i].rounded},
                           {"memory_bytes", facts[i].bytes},
-                          {"source", source_of(plan.tool_shapes[i])}});
+                          {"source", source_of(plan.tool_shapes[i])}}));
     }
-    nlohmann::ordered_json json = {{"name", name_of(tool)},
-                                   {"method", name_of(tool.method)},
-                                   {"points", count_points(*plan.haptic.tool)},
-                                   {"source", source_of(plan.tool_shapes.back())},
-                                   {"live_time_us", find_budget_us(lesson.hand)},
-                                   {"bodies", std::move(bodies)}};
+    Json json = Json::object({{"name", name_of(tool)},
+                              {"method", name_of(tool.method)},
+                              {"points", count_points(*plan.haptic.tool)},
+                              {"source", source_of(plan.tool_shapes.back())},
+                              {"live_time_us", find_budget_us(lesson.hand)},
+                              {"bodies", std::move(bodies)}});
     if (has_levels(tool)) {
         const auto& levels =
             std::get<std::vector<LevelContactsPlan>>(plan.haptic.tool->objects).front();
-        json["contact"] = {{"found_by", name_of(tool.contact)},
-                           {"tolerance_m", levels.settings.tolerance_m},
-                           {"within_m", levels.tool->settings().within_m},
-                           {"levels", levels.tool->n_levels()},
-                           {"pieces", levels.tool->n_pieces()},
-                           {"memory_bytes", levels.tool->memory_bytes()}};
+        json.add("contact", Json::object({{"found_by", name_of(tool.contact)},
+                                          {"tolerance_m", levels.settings.tolerance_m},
+                                          {"within_m", levels.tool->settings().within_m},
+                                          {"levels", levels.tool->n_levels()},
+                                          {"pieces", levels.tool->n_pieces()},
+                                          {"memory_bytes", levels.tool->memory_bytes()}}));
     }
     return json;
 }
@@ -151,25 +157,29 @@ std::string explain_costs(const Plan& plan, const Analysis& analysis) {
 
 std::string explain_json(const LessonDescription& lesson, const Plan& plan,
                          const Analysis* analysis) {
-    nlohmann::ordered_json whole = {{"version", 1}, {"lesson", lesson.id}, {"title", lesson.title}};
-    nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+    Json whole = Json::object({{"version", 1}, {"lesson", lesson.id}, {"title", lesson.title}});
+    Json stages = Json::array();
     for (const PlanStage& stage : plan.stages) {
         stages.push_back(json_of(stage));
     }
     if (analysis != nullptr) {
-        whole["simulated_s"] = analysis->simulated_s;
-        whole["wall_s"] = analysis->wall_s;
-        whole["clock_us"] = analysis->clock_us;
+        whole.add("simulated_s", analysis->simulated_s);
+        whole.add("wall_s", analysis->wall_s);
+        whole.add("clock_us", analysis->clock_us);
         add_costs(stages, *analysis);
     }
-    whole["stages"] = std::move(stages);
-    whole["materials"] = json_of_materials(lesson, plan);
+    whole.add("stages", std::move(stages));
+    whole.add("materials", json_of_materials(lesson, plan));
     if (plan.haptic.tool && lesson.hand.tool) {
-        whole["tool"] = json_of_tool(lesson, plan);
+        whole.add("tool", json_of_tool(lesson, plan));
     }
-    whole["notices"] = plan.notices;
+    Json notices = Json::array();
+    for (const std::string& notice : plan.notices) {
+        notices.push_back(notice);
+    }
+    whole.add("notices", std::move(notices));
     // A title may hold what is no UTF-8: it is replaced, never thrown at.
-    return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return whole.to_text();
 }
 
 }  // namespace fulcrum::runtime
