@@ -127,9 +127,14 @@ void LevelPairs::conclude(LevelAnswer& answer) noexcept {
         }
         // One way down, at least.
         int steps = n == 0 ? 2 * (object().n_levels() + tool().n_levels()) : 0;
-        for (int way = 0; way < kMostWays && !tree_.is_beyond(one.pair, tree_.place().within_m) &&
-                          go_down(one.pair, steps, answer) == WayDown::is_dead_end;
+        WayDown ended = WayDown::is_dead_end;
+        for (int way = 0; way < kMostWays && ended == WayDown::is_dead_end &&
+                          !tree_.is_beyond(one.pair, tree_.place().within_m);
              ++way) {
+            ended = go_down(one.pair, steps, answer);
+        }
+        if (ended == WayDown::is_dead_end) {
+            leave(one.pair, answer);  // unless nothing is near in all of it
         }
         spent = spent_us();
         ++n;
