@@ -18,8 +18,8 @@ constexpr double kRoll_m = 0.0055;  ///< radius of the rolled rim
 
 /// Outer wall from the middle of the underside up to the rim's roll. Corners are rounded by short
 /// steps.
-const std::vector<Vector2d>& outer_profile() {
-    static const std::vector<Vector2d> kProfile{
+const std::vector<Vector2>& outer_profile() {
+    static const std::vector<Vector2> kProfile{
         {0.0, -kDepth_m - kWall_m},
         {0.6 * kFoot_m, -kDepth_m - kWall_m},
         {kFoot_m - 0.002, -kDepth_m - kWall_m},
@@ -32,7 +32,7 @@ const std::vector<Vector2d>& outer_profile() {
 }
 
 /// Straight pieces between points, each with its share of v.
-Vector2d along_profile(const std::vector<Vector2d>& points, double v) {
+Vector2 along_profile(const std::vector<Vector2>& points, double v) {
     const auto last = static_cast<int>(points.size()) - 1;
     const int i = std::min(static_cast<int>(v * last), last - 1);
     const double f = v * last - i;
@@ -53,12 +53,12 @@ MeshPart outside() {
 }
 
 MeshPart inside() {
-    static const std::vector<Vector2d> kProfile{{kOpening_m, 0.0},
-                                                {0.5 * (kFoot_m + kOpening_m), -0.5 * kDepth_m},
-                                                {kFoot_m + 0.001, -kDepth_m + 0.010},
-                                                {kFoot_m - 0.004, -kDepth_m + 0.0022},
-                                                {kFoot_m - 0.012, -kDepth_m},
-                                                {0.0, -kDepth_m}};
+    static const std::vector<Vector2> kProfile{{kOpening_m, 0.0},
+                                               {0.5 * (kFoot_m + kOpening_m), -0.5 * kDepth_m},
+                                               {kFoot_m + 0.001, -kDepth_m + 0.010},
+                                               {kFoot_m - 0.004, -kDepth_m + 0.0022},
+                                               {kFoot_m - 0.012, -kDepth_m},
+                                               {0.0, -kDepth_m}};
     MeshPart part =
         tessellate(revolve([](double v) { return along_profile(kProfile, v); }), 72, 25);
     part.colour = srgb(0xBFE0F2);
@@ -70,7 +70,7 @@ MeshPart inside() {
 MeshPart ring(double radius_m, double height_m, double thick_m, double tall_m) {
     const Surface surface = revolve([=](double v) {
         const double angle = 2.0 * kPi * v;
-        return Vector2d(radius_m + thick_m * std::cos(angle), height_m + tall_m * std::sin(angle));
+        return Vector2(radius_m + thick_m * std::cos(angle), height_m + tall_m * std::sin(angle));
     });
     return outward(tessellate(surface, 72, 16));
 }
@@ -96,24 +96,24 @@ void add_handle(Model& model) {
     constexpr double kTilt_rad = 1.15;  // from upright, to the back
     const auto curve = [](double t) {
         const double angle = kPi * t;
-        return Vector3d(kReach_m * std::cos(angle), 0.118 * std::sin(angle), 0.0);
+        return Vector3(kReach_m * std::cos(angle), 0.118 * std::sin(angle), 0.0);
     };
     MeshPart wire = outward(tessellate(tube(curve, [](double) { return 0.0028; }), 12, 48));
     const auto grip_curve = [](double t) {
         const double angle = kPi * (0.39 + 0.22 * t);
-        return Vector3d(kReach_m * std::cos(angle), 0.118 * std::sin(angle), 0.0);
+        return Vector3(kReach_m * std::cos(angle), 0.118 * std::sin(angle), 0.0);
     };
     const auto grip_radius = [](double t) {
         return 0.0085 * std::pow(std::max(0.0, 1.0 - std::pow(std::abs(2.0 * t - 1.0), 8.0)), 0.5);
     };
     MeshPart grip = outward(tessellate(tube(grip_curve, grip_radius), 18, 30));
-    Eigen::Affine3d fold(Eigen::Translation3d(0.0, -0.016, 0.0));
-    fold.rotate(Eigen::AngleAxisd(-kTilt_rad, Vector3d::UnitX()));
+    Affine fold = Affine::at({0.0, -0.016, 0.0});
+    fold.rotate(AngleAxis(-kTilt_rad, Vector3::UnitX()));
     wire.transform(fold);
     grip.transform(fold);
     for (const double side : {-1.0, 1.0}) {
         MeshPart ear = outward(tessellate(ellipsoid({0.009, 0.011, 0.011}), 20, 14));
-        ear.transform(Eigen::Affine3d(Eigen::Translation3d(side * 0.117, -0.016, 0.0)));
+        ear.transform(Affine::at({side * 0.117, -0.016, 0.0}));
         wire.append(ear);
     }
     wire.colour = srgb(0x9AA4AD);

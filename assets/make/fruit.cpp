@@ -14,10 +14,10 @@ constexpr double kPi = std::numbers::pi;
 
 // ---- watermelon: lies along x; v runs from its stalk (+x) to its flower end
 
-const Vector3d kMelonRadii_m{0.095, 0.083, 0.086};
+const Vector3 kMelonRadii_m{0.095, 0.083, 0.086};
 
-Vector3d melon_surface(double u, double v) {
-    const Vector3d unit = ellipsoid(Vector3d::Ones())(u, v);
+Vector3 melon_surface(double u, double v) {
+    const Vector3 unit = ellipsoid(Vector3::Ones())(u, v);
     // A little fuller than an ellipsoid, and a shallow dip where the stalk sits.
     const double along = unit.y();
     const double ring = std::sqrt(std::max(0.0, 1.0 - along * along));
@@ -32,7 +32,7 @@ Colour melon_colour(double u, double v) {
     static const Colour kPale = srgb(0xC2DC7E);
     static const Colour kDark = srgb(0x1E5A22);
     static const Colour kDeep = srgb(0x0F3B17);
-    const Vector3d p = melon_surface(u, v);
+    const Vector3 p = melon_surface(u, v);
     // Ten bands along the melon, their edges pushed about by coarse and fine noise, narrow towards
     // the ends.
     const double wobble = 0.75 * fractal_noise(32.0 * p, 3) + 0.50 * fractal_noise(110.0 * p, 3);
@@ -50,7 +50,7 @@ Colour melon_colour(double u, double v) {
 
 MeshPart melon_stalk() {
     const auto curve = [](double t) {
-        return Vector3d(0.086 + 0.030 * t - 0.008 * t * t, 0.026 * t * t, 0.0);
+        return Vector3(0.086 + 0.030 * t - 0.008 * t * t, 0.026 * t * t, 0.0);
     };
     const auto radius = [](double t) {
         const double closed = std::sqrt(std::clamp((1.0 - t) / 0.12, 0.0, 1.0));
@@ -66,23 +66,23 @@ MeshPart melon_stalk() {
 
 constexpr double kAppleRadius_m = 0.04;
 
-Vector2d apple_profile(double v) {
-    static const std::vector<Vector2d> kProfile{
+Vector2 apple_profile(double v) {
+    static const std::vector<Vector2> kProfile{
         {0.0, 0.50},   {0.07, 0.53},  {0.20, 0.70},   {0.40, 0.80},  {0.64, 0.77},
         {0.86, 0.58},  {0.98, 0.27},  {0.995, -0.05}, {0.90, -0.38}, {0.72, -0.66},
         {0.52, -0.83}, {0.34, -0.88}, {0.17, -0.80},  {0.0, -0.70}};
-    Vector2d p = curve_through(kProfile, v);
+    Vector2 p = curve_through(kProfile, v);
     p.x() = std::max(p.x(), 0.0);
     return p;
 }
 
-Vector3d apple_surface(double u, double v) {
-    const Vector3d p = revolve(apple_profile)(u, v);
+Vector3 apple_surface(double u, double v) {
+    const Vector3 p = revolve(apple_profile)(u, v);
     // Five soft lobes, plainest at the bottom.
     const double lobes =
         1.0 + 0.035 * smooth_step(0.2, -0.9, p.y()) * std::cos(2.0 * kPi * 5.0 * u);
     const double lean = 1.0 + 0.03 * p.x();
-    return kAppleRadius_m * Vector3d(p.x() * lobes, p.y() * lean, p.z() * lobes);
+    return kAppleRadius_m * Vector3(p.x() * lobes, p.y() * lean, p.z() * lobes);
 }
 
 Colour apple_colour(double u, double v) {
@@ -90,11 +90,11 @@ Colour apple_colour(double u, double v) {
     static const Colour kDarkRed = srgb(0x8E0B17);
     static const Colour kYellow = srgb(0xF2C230);
     static const Colour kGreen = srgb(0xB5B83A);
-    const Vector3d p = apple_surface(u, v) / kAppleRadius_m;
+    const Vector3 p = apple_surface(u, v) / kAppleRadius_m;
     const double ring = std::hypot(p.x(), p.z());
     // Streaks run from pole to pole: noise that is stretched along the meridian.
-    const Vector3d meridian(9.0 * p.x() / std::max(ring, 0.15), 1.2 * p.y(),
-                            9.0 * p.z() / std::max(ring, 0.15));
+    const Vector3 meridian(9.0 * p.x() / std::max(ring, 0.15), 1.2 * p.y(),
+                           9.0 * p.z() / std::max(ring, 0.15));
     const double streak = fractal_noise(meridian, 3);
     const double shade = fractal_noise(1.6 * p, 2);
     // One cheek saw less sun, and the skin around the stem is yellow-green.
@@ -112,7 +112,7 @@ Colour apple_colour(double u, double v) {
 
 MeshPart apple_stem() {
     const auto curve = [](double t) {
-        return Vector3d(0.004 * t + 0.006 * t * t, 0.019 + 0.026 * t, 0.0);
+        return Vector3(0.004 * t + 0.006 * t * t, 0.019 + 0.026 * t, 0.0);
     };
     const auto radius = [](double t) {
         const double closed = std::sqrt(std::clamp((1.0 - t) / 0.06, 0.0, 1.0));
@@ -144,11 +144,11 @@ Model make_apple() {
     skin.picture = 0;
     model.pictures.push_back(paint(768, 512, apple_colour));
     MeshPart leaf = make_leaf(0.040, 0.020);
-    Eigen::Affine3d X = Eigen::Affine3d::Identity();
-    X.translate(Vector3d(0.0055, 0.036, 0.0));
-    X.rotate(Eigen::AngleAxisd(0.55, Vector3d::UnitY()));
-    X.rotate(Eigen::AngleAxisd(0.30, Vector3d::UnitZ()));
-    X.rotate(Eigen::AngleAxisd(0.45, Vector3d::UnitX()));
+    Affine X = Affine::Identity();
+    X.translate(Vector3(0.0055, 0.036, 0.0));
+    X.rotate(AngleAxis(0.55, Vector3::UnitY()));
+    X.rotate(AngleAxis(0.30, Vector3::UnitZ()));
+    X.rotate(AngleAxis(0.45, Vector3::UnitX()));
     leaf.transform(X);
     leaf.picture = 1;
     model.pictures.push_back(paint_leaf());

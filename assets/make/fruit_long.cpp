@@ -26,17 +26,17 @@ double banana_thickness(double v) {
     return closed * (0.25 + cut + 0.74 * body);
 }
 
-Vector3d banana_surface(double u, double v) {
+Vector3 banana_surface(double u, double v) {
     const double angle = kBananaBend_rad * (v - 0.5);
     const double bend_radius = kBananaLength_m / kBananaBend_rad;
-    const Vector3d out(std::sin(angle), -std::cos(angle), 0.0);
-    const Vector3d spine = bend_radius * out;
+    const Vector3 out(std::sin(angle), -std::cos(angle), 0.0);
+    const Vector3 spine = bend_radius * out;
     const double around = 2.0 * kPi * (u == 1.0 ? 0.0 : u);
     // Five soft edges; the stem and the tip are round.
     const double edges = 0.060 * smooth_step(0.05, 0.25, v) * smooth_step(1.0, 0.85, v);
     const double radius =
         kBananaRadius_m * banana_thickness(v) * (1.0 + edges * std::cos(5.0 * around));
-    return spine + radius * (std::cos(around) * out + std::sin(around) * Vector3d::UnitZ());
+    return spine + radius * (std::cos(around) * out + std::sin(around) * Vector3::UnitZ());
 }
 
 Colour banana_colour(double u, double v) {
@@ -45,7 +45,7 @@ Colour banana_colour(double u, double v) {
     static const Colour kGreen = srgb(0xA9B53C);
     static const Colour kBrown = srgb(0x5A3A17);
     static const Colour kBlack = srgb(0x2B1C10);
-    const Vector3d p = banana_surface(u, v);
+    const Vector3 p = banana_surface(u, v);
     const double ragged = fractal_noise(140.0 * p, 3);
     Colour c = blend(kYellow, kPale, 0.35 + 0.7 * fractal_noise(45.0 * p, 2));
     // The edges are a little darker, the flats a little paler.
@@ -54,7 +54,7 @@ Colour banana_colour(double u, double v) {
     c = blend(c, kGreen, 0.75 * smooth_step(0.26, 0.10, v + 0.04 * ragged));
     c = blend(c, kGreen, 0.45 * smooth_step(0.88, 0.95, v + 0.02 * ragged));
     // Few freckles, longer along the fruit than across.
-    const Vector3d stretched(60.0 * p.x(), 95.0 * p.y(), 95.0 * p.z());
+    const Vector3 stretched(60.0 * p.x(), 95.0 * p.y(), 95.0 * p.z());
     const double body = smooth_step(0.16, 0.28, v) * smooth_step(0.92, 0.84, v);
     c = blend(c, kBrown, 0.75 * body * spots(stretched, 0.10, 0.22));
     c = blend(c, kBrown, 0.35 * body * spots(3.1 * stretched, 0.10, 0.3));
@@ -80,16 +80,16 @@ double egg_radius_m(double x) {
            std::sqrt(std::max(0.0, L * L - 4.0 * x * x) / (L * L + 8.0 * w * x + 4.0 * w * w));
 }
 
-Vector3d egg_surface(double u, double v) {
+Vector3 egg_surface(double u, double v) {
     const double height = v == 1.0 ? -0.5 * kEggLength_m : 0.5 * kEggLength_m * std::cos(kPi * v);
     const double radius = v == 0.0 || v == 1.0 ? 0.0 : egg_radius_m(height);
-    return revolve([=](double) { return Vector2d(radius, height); })(u, v);
+    return revolve([=](double) { return Vector2(radius, height); })(u, v);
 }
 
 Colour egg_colour(double u, double v) {
     static const Colour kShell = srgb(0xE9C79C);
     static const Colour kWarm = srgb(0xDDB07F);
-    const Vector3d p = egg_surface(u, v);
+    const Vector3 p = egg_surface(u, v);
     Colour c = blend(kShell, kWarm, 0.45 + 0.6 * fractal_noise(60.0 * p, 3) - 8.0 * p.y());
     c = blend(c, srgb(0xF4DDBE), 0.35 * spots(420.0 * p, 0.35, 0.35));
     // Freckles gather at the blunt end.
@@ -106,7 +106,7 @@ Model make_banana() {
     const auto denser_ends = [](double v) { return v - 0.10 * std::sin(2.0 * kPi * v); };
     MeshPart skin =
         tessellate([&](double u, double v) { return banana_surface(u, denser_ends(v)); }, 50, 80);
-    for (Vector2d& uv : skin.uvs) {
+    for (Vector2& uv : skin.uvs) {
         uv.y() = denser_ends(uv.y());
     }
     skin.roughness = 0.5;

@@ -75,8 +75,8 @@ class GlbWriter {
     template <class Vector>
     int add_vectors(const std::vector<Vector>& vectors, const char* type, bool bounds) {
         Bytes bytes;
-        Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max());
-        Eigen::Array3f high = -low;
+        Vector3f low = Vector3f::Constant(std::numeric_limits<float>::max());
+        Vector3f high = -low;
         for (const Vector& vector : vectors) {
             for (int k = 0; k < vector.size(); ++k) {
                 const auto value = static_cast<float>(vector[k]);

@@ -17,8 +17,8 @@ Model make_ring() {
     constexpr double kTube_m = 0.016;
     MeshPart ring = outward(tessellate(revolve([](double v) {
                                            const double angle = 2.0 * kPi * v;
-                                           return Vector2d(kMiddle_m + kTube_m * std::cos(angle),
-                                                           kTube_m * std::sin(angle));
+                                           return Vector2(kMiddle_m + kTube_m * std::cos(angle),
+                                                          kTube_m * std::sin(angle));
                                        }),
                                        64, 24));
     ring.colour = srgb(0xD8433B);
@@ -35,7 +35,7 @@ Model make_bowl() {
         const double rim_m = 0.5 * (kOuter_m - kInner_m);
         if (std::abs(v - 0.5) < kRim) {
             const double angle = kPi * (v - 0.5 + kRim) / (2.0 * kRim);
-            return Vector2d(kInner_m + rim_m + rim_m * std::cos(angle), rim_m * std::sin(angle));
+            return Vector2(kInner_m + rim_m + rim_m * std::cos(angle), rim_m * std::sin(angle));
         }
         const bool is_outside = v < 0.5;
         const double share = (is_outside ? v : 1.0 - v) / (0.5 - kRim);
@@ -43,7 +43,7 @@ Model make_bowl() {
         const double angle = 0.5 * kPi * share;
         // The foot is flat below.
         const double low_m = is_outside ? -0.94 * kOuter_m : -kInner_m;
-        return Vector2d(radius_m * std::sin(angle), std::max(-radius_m * std::cos(angle), low_m));
+        return Vector2(radius_m * std::sin(angle), std::max(-radius_m * std::cos(angle), low_m));
     };
     MeshPart bowl = outward(tessellate(revolve(profile), 72, 60));
     bowl.colour = srgb(0x2E9E8F);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Colour grass(const Vector3d& p) {
+Colour grass(const Vector3& p) {
     const double patch = fractal_noise(1.3 * p, 3);
     const double blades = fractal_noise(22.0 * p, 3);
     const Colour meadow = blend(srgb(0x7DB85A), srgb(0x5E9E48), 0.5 + 0.8 * patch);
@@ -26,7 +26,7 @@ Colour bark(double u, double v) {
 }
 
 Colour leaves(double u, double v) {
-    const Vector3d p = ellipsoid(Vector3d::Ones())(u, v);
+    const Vector3 p = ellipsoid(Vector3::Ones())(u, v);
     const double clump = fractal_noise(5.0 * p, 3);
     const double fine = spots(16.0 * p, 0.5, 0.42);
     return blend(blend(srgb(0x4F9E3A), srgb(0x3B8030), 0.5 + 0.9 * clump), srgb(0x8CC74F),
@@ -39,12 +39,12 @@ MeshPart flattened_disc(double radius_m, const Surface& height) {
         [&](double u, double v) {
             const double angle = 2.0 * kPi * (u == 1.0 ? 0.0 : u);
             const double r = radius_m * std::pow(v, 1.4);
-            const Vector3d p(r * std::sin(angle), 0.0, r * std::cos(angle));
-            return Vector3d(p + height(p.x(), p.z()));
+            const Vector3 p(r * std::sin(angle), 0.0, r * std::cos(angle));
+            return Vector3(p + height(p.x(), p.z()));
         },
         64, 32);
     for (std::size_t i = 0; i < disc.uvs.size(); ++i) {
-        const Vector3d p = disc.positions[i] / (2.0 * radius_m);
+        const Vector3 p = disc.positions[i] / (2.0 * radius_m);
         disc.uvs[i] = {0.5 + p.x(), 0.5 + p.z()};
     }
     if (disc.normals.front().y() < 0.0) {
@@ -58,7 +58,7 @@ MeshPart flattened_disc(double radius_m, const Surface& height) {
 Model on_grass(const char* name, MeshPart part, double radius_m) {
     Model model{name, {}, {}};
     model.pictures.push_back(paint(512, 512, [radius_m](double u, double v) {
-        return grass(2.0 * radius_m * Vector3d(u - 0.5, 0.0, v - 0.5));
+        return grass(2.0 * radius_m * Vector3(u - 0.5, 0.0, v - 0.5));
     }));
     model.parts = {std::move(part)};
     return model;
@@ -66,8 +66,8 @@ Model on_grass(const char* name, MeshPart part, double radius_m) {
 
 /// Several balls as one part; each has its own centre and radii.
 struct Ball {
-    Vector3d centre_m;
-    Vector3d radii_m;
+    Vector3 centre_m;
+    Vector3 radii_m;
 };
 MeshPart heap(const std::vector<Ball>& balls, double bump, int columns, int rows) {
     MeshPart all;
@@ -84,7 +84,7 @@ Model make_ground() {
     constexpr double kRadius_m = 4.0;
     const auto height = [](double x, double z) {
         const double far = smooth_step(1.2, 3.5, std::hypot(x, z));
-        return Vector3d(0.0, far * (0.10 + 0.16 * fractal_noise({0.7 * x, 0.0, 0.7 * z}, 2)), 0.0);
+        return Vector3(0.0, far * (0.10 + 0.16 * fractal_noise({0.7 * x, 0.0, 0.7 * z}, 2)), 0.0);
     };
     return on_grass("ground", flattened_disc(kRadius_m, height), kRadius_m);
 }
@@ -94,8 +94,8 @@ Model make_hill() {
     const auto height = [](double x, double z) {
         const double r = std::hypot(x, z) / kRadius_m;
         const double dome = std::pow(1.0 - std::min(r * r, 1.0), 2.0);
-        return Vector3d(0.0, 0.50 * dome + 0.05 * dome * fractal_noise({2.0 * x, 0.0, 2.0 * z}, 2),
-                        0.0);
+        return Vector3(0.0, 0.50 * dome + 0.05 * dome * fractal_noise({2.0 * x, 0.0, 2.0 * z}, 2),
+                       0.0);
     };
     return on_grass("hill", flattened_disc(kRadius_m, height), kRadius_m);
 }
@@ -104,7 +104,7 @@ Model make_tree() {
     Model model{"tree", {}, {}};
     model.pictures = {paint(128, 256, bark), paint(512, 256, leaves)};
     const auto trunk_curve = [](double t) {
-        return Vector3d(0.03 * std::sin(2.4 * t), 0.72 * t, 0.0);
+        return Vector3(0.03 * std::sin(2.4 * t), 0.72 * t, 0.0);
     };
     const auto trunk_radius = [](double t) {
         return 0.055 + 0.045 * std::exp(-7.0 * t) - 0.015 * t;
@@ -138,25 +138,25 @@ Model make_cloud() {
 
 Model make_flower() {
     constexpr double kHeight_m = 0.085;
-    const auto stalk_curve = [](double t) { return Vector3d(0.006 * t * t, kHeight_m * t, 0.0); };
+    const auto stalk_curve = [](double t) { return Vector3(0.006 * t * t, kHeight_m * t, 0.0); };
     MeshPart green = outward(tessellate(tube(stalk_curve, [](double) { return 0.0016; }), 10, 10));
     MeshPart leaf = make_leaf(0.035, 0.012);
-    Eigen::Affine3d at_foot(Eigen::Translation3d(0.0, 0.012, 0.0));
-    at_foot.rotate(Eigen::AngleAxisd(0.7, Vector3d::UnitZ()));
+    Affine at_foot = Affine::at({0.0, 0.012, 0.0});
+    at_foot.rotate(AngleAxis(0.7, Vector3::UnitZ()));
     leaf.transform(at_foot);
     green.append(leaf);
     green.colour = srgb(0x4C9A3A);
 
     // The head looks forwards and up.
-    Eigen::Affine3d head(Eigen::Translation3d(0.006, kHeight_m, 0.0));
-    head.rotate(Eigen::AngleAxisd(0.9, Vector3d::UnitX()));
+    Affine head = Affine::at({0.006, kHeight_m, 0.0});
+    head.rotate(AngleAxis(0.9, Vector3::UnitX()));
     MeshPart petals;
     constexpr int kPetals = 9;
     for (int i = 0; i < kPetals; ++i) {
         MeshPart petal = outward(tessellate(ellipsoid({0.0095, 0.0018, 0.0055}), 16, 10));
-        Eigen::Affine3d X(head);
-        X.rotate(Eigen::AngleAxisd(2.0 * kPi * i / kPetals, Vector3d::UnitY()));
-        X.translate(Vector3d(0.0135, 0.0, 0.0));
+        Affine X(head);
+        X.rotate(AngleAxis(2.0 * kPi * i / kPetals, Vector3::UnitY()));
+        X.translate(Vector3(0.0135, 0.0, 0.0));
         petal.transform(X);
         petals.append(petal);
     }

@@ -14,7 +14,7 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Corners nearer than this are one corner as far as normals go.
 constexpr double kWeld_m = 1e-7;
 
-std::array<long, 3> weld_key(const Vector3d& p) {
+std::array<long, 3> weld_key(const Vector3& p) {
     return {std::lround(p.x() / kWeld_m), std::lround(p.y() / kWeld_m),
             std::lround(p.z() / kWeld_m)};
 }
@@ -25,17 +25,17 @@ void MeshPart::turn_inside_out() {
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         std::swap(indices[i + 1], indices[i + 2]);
     }
-    for (Vector3d& n : normals) {
+    for (Vector3& n : normals) {
         n = -n;
     }
 }
 
-void MeshPart::transform(const Eigen::Affine3d& X) {
-    const Eigen::Matrix3d for_normals = X.linear().inverse().transpose();
-    for (Vector3d& p : positions) {
+void MeshPart::transform(const Affine& X) {
+    const Matrix3 for_normals = X.linear().inverse().transpose();
+    for (Vector3& p : positions) {
         p = X * p;
     }
-    for (Vector3d& n : normals) {
+    for (Vector3& n : normals) {
         n = (for_normals * n).normalized();
     }
 }
@@ -51,21 +51,21 @@ void MeshPart::append(const MeshPart& other) {
 }
 
 void smooth_normals(MeshPart& part) {
-    std::map<std::array<long, 3>, Vector3d> sums;
+    std::map<std::array<long, 3>, Vector3> sums;
     for (std::size_t i = 0; i < part.indices.size(); i += 3) {
-        const Vector3d& a = part.positions[part.indices[i]];
-        const Vector3d& b = part.positions[part.indices[i + 1]];
-        const Vector3d& c = part.positions[part.indices[i + 2]];
-        const Vector3d across = (b - a).cross(c - a);  // twice the area long
-        for (const Vector3d* p : {&a, &b, &c}) {
-            sums.try_emplace(weld_key(*p), Vector3d::Zero()).first->second += across;
+        const Vector3& a = part.positions[part.indices[i]];
+        const Vector3& b = part.positions[part.indices[i + 1]];
+        const Vector3& c = part.positions[part.indices[i + 2]];
+        const Vector3 across = (b - a).cross(c - a);  // twice the area long
+        for (const Vector3* p : {&a, &b, &c}) {
+            sums.try_emplace(weld_key(*p), Vector3::Zero()).first->second += across;
         }
     }
     part.normals.clear();
-    for (const Vector3d& p : part.positions) {
+    for (const Vector3& p : part.positions) {
         const auto found = sums.find(weld_key(p));
         const bool has_area = found != sums.end() && found->second.norm() > 0.0;
-        part.normals.push_back(has_area ? Vector3d(found->second.normalized()) : Vector3d::UnitY());
+        part.normals.push_back(has_area ? Vector3(found->second.normalized()) : Vector3::UnitY());
     }
 }
 
@@ -105,9 +105,9 @@ MeshPart tessellate(const Surface& surface, int columns, int rows) {
 Bulk bulk_of(const MeshPart& part) {
     Bulk bulk;
     for (std::size_t i = 0; i < part.indices.size(); i += 3) {
-        const Vector3d& a = part.positions[part.indices[i]];
-        const Vector3d& b = part.positions[part.indices[i + 1]];
-        const Vector3d& c = part.positions[part.indices[i + 2]];
+        const Vector3& a = part.positions[part.indices[i]];
+        const Vector3& b = part.positions[part.indices[i + 1]];
+        const Vector3& c = part.positions[part.indices[i + 2]];
         const double volume = a.dot(b.cross(c)) / 6.0;  // of the tetrahedron with the origin
         bulk.volume_m3 += volume;
         bulk.centroid += volume * (a + b + c) / 4.0;
@@ -118,48 +118,48 @@ Bulk bulk_of(const MeshPart& part) {
     return bulk;
 }
 
-Surface revolve(std::function<Vector2d(double v)> profile) {
+Surface revolve(std::function<Vector2(double v)> profile) {
     return [profile = std::move(profile)](double u, double v) {
-        const Vector2d p = profile(v);
+        const Vector2 p = profile(v);
         const double angle = kTwoPi * (u == 1.0 ? 0.0 : u);
-        return Vector3d(p.x() * std::sin(angle), p.y(), p.x() * std::cos(angle));
+        return Vector3(p.x() * std::sin(angle), p.y(), p.x() * std::cos(angle));
     };
 }
 
-Vector2d curve_through(const std::vector<Vector2d>& points, double t) {
+Vector2 curve_through(const std::vector<Vector2>& points, double t) {
     const auto last = static_cast<int>(points.size()) - 1;
     const double along = std::clamp(t, 0.0, 1.0) * last;
     const int i = std::min(static_cast<int>(along), last - 1);
     const double f = along - i;
     const auto at = [&](int k) { return points[static_cast<std::size_t>(std::clamp(k, 0, last))]; };
-    const Vector2d a = at(i - 1);
-    const Vector2d b = at(i);
-    const Vector2d c = at(i + 1);
-    const Vector2d d = at(i + 2);
+    const Vector2 a = at(i - 1);
+    const Vector2 b = at(i);
+    const Vector2 c = at(i + 1);
+    const Vector2 d = at(i + 2);
     return 0.5 * (2.0 * b + (c - a) * f + (2.0 * a - 5.0 * b + 4.0 * c - d) * f * f +
                   (3.0 * b - a - 3.0 * c + d) * f * f * f);
 }
 
-Surface tube(std::function<Vector3d(double t)> curve, std::function<double(double t)> radius) {
+Surface tube(std::function<Vector3(double t)> curve, std::function<double(double t)> radius) {
     return [curve = std::move(curve), radius = std::move(radius)](double u, double v) {
         constexpr double kStep = 1e-4;
-        const Vector3d along =
+        const Vector3 along =
             (curve(std::min(v + kStep, 1.0)) - curve(std::max(v - kStep, 0.0))).normalized();
         // Curves of ours stay in or near the plane z = 0: its normal is never along them.
-        const Vector3d side = Vector3d::UnitZ().cross(along).normalized();
-        const Vector3d front = along.cross(side);
+        const Vector3 side = Vector3::UnitZ().cross(along).normalized();
+        const Vector3 front = along.cross(side);
         const double angle = kTwoPi * (u == 1.0 ? 0.0 : u);
-        return Vector3d(curve(v) + radius(v) * (std::cos(angle) * side + std::sin(angle) * front));
+        return Vector3(curve(v) + radius(v) * (std::cos(angle) * side + std::sin(angle) * front));
     };
 }
 
-Surface ellipsoid(const Vector3d& radii_m) {
+Surface ellipsoid(const Vector3& radii_m) {
     return [radii_m](double u, double v) {
         const double around = kTwoPi * (u == 1.0 ? 0.0 : u);
         const double ring = v == 1.0 ? 0.0 : std::sin(std::numbers::pi * v);
-        return Vector3d(Vector3d(ring * std::sin(around), std::cos(std::numbers::pi * v),
-                                 ring * std::cos(around))
-                            .cwiseProduct(radii_m));
+        return Vector3(Vector3(ring * std::sin(around), std::cos(std::numbers::pi * v),
+                               ring * std::cos(around))
+                           .cwiseProduct(radii_m));
     };
 }
 

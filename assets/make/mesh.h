@@ -7,9 +7,8 @@
 #pragma once
 
 #include "assets/make/picture.h"
+#include "haptics/math/affine.h"
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -17,14 +16,11 @@
 
 namespace fulcrum::assets {
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
 /// Triangles of one material.
 struct MeshPart {
-    std::vector<Vector3d> positions;  ///< metres
-    std::vector<Vector3d> normals;    ///< unit
-    std::vector<Vector2d> uvs;
+    std::vector<Vector3> positions;  ///< metres
+    std::vector<Vector3> normals;    ///< unit
+    std::vector<Vector2> uvs;
     std::vector<std::uint32_t> indices;
     Colour colour{1.0, 1.0, 1.0};  ///< linear, multiplies the picture
     double alpha = 1.0;
@@ -32,7 +28,7 @@ struct MeshPart {
     int picture = -1;  ///< index into Model::pictures
 
     void turn_inside_out();
-    void transform(const Eigen::Affine3d& X);
+    void transform(const Affine& X);
     /// Adds another part's triangles; material and picture stay this one's.
     void append(const MeshPart& other);
 };
@@ -45,7 +41,7 @@ struct Model {
 };
 
 /// A surface: point at (u, v), both 0 to 1.
-using Surface = std::function<Vector3d(double u, double v)>;
+using Surface = std::function<Vector3(double u, double v)>;
 
 /// Cuts a surface into columns x rows rectangles, two triangles each (one at a pole). Corners that
 /// coincide share a normal.
@@ -57,22 +53,22 @@ void smooth_normals(MeshPart& part);
 /// Volume enclosed by all parts together (signed: negative when inside out), and its centroid.
 struct Bulk {
     double volume_m3 = 0.0;
-    Vector3d centroid{Vector3d::Zero()};
+    Vector3 centroid{Vector3::Zero()};
 };
 [[nodiscard]] Bulk bulk_of(const MeshPart& part);
 
 /// Surface of revolution about +Y of a profile (radius, height), v along the profile from its first
 /// point.
-[[nodiscard]] Surface revolve(std::function<Vector2d(double v)> profile);
+[[nodiscard]] Surface revolve(std::function<Vector2(double v)> profile);
 
 /// A smooth curve through points (Catmull-Rom), t from 0 to 1.
-[[nodiscard]] Vector2d curve_through(const std::vector<Vector2d>& points, double t);
+[[nodiscard]] Vector2 curve_through(const std::vector<Vector2>& points, double t);
 
 /// A tube along a curve: `radius(t)` metres; its ends are closed when the radius goes to 0 there.
-[[nodiscard]] Surface tube(std::function<Vector3d(double t)> curve,
+[[nodiscard]] Surface tube(std::function<Vector3(double t)> curve,
                            std::function<double(double t)> radius);
 
 /// Ellipsoid about the origin, poles on +-Y, v = 0 at the top.
-[[nodiscard]] Surface ellipsoid(const Vector3d& radii_m);
+[[nodiscard]] Surface ellipsoid(const Vector3& radii_m);
 
 }  // namespace fulcrum::assets

@@ -34,12 +34,12 @@ double mix(double a, double b, double t) {
 
 }  // namespace
 
-double noise(const Vector3d& p) {
-    const Vector3d cell = p.array().floor();
+double noise(const Vector3& p) {
+    const Vector3 cell = p.cwiseFloor();
     const long x = std::lround(cell.x());
     const long y = std::lround(cell.y());
     const long z = std::lround(cell.z());
-    const Vector3d f = p - cell;
+    const Vector3 f = p - cell;
     const auto corner = [&](long i, long j, long k) {
         return gradient(hash(x + i, y + j, z + k), f.x() - static_cast<double>(i),
                         f.y() - static_cast<double>(j), f.z() - static_cast<double>(k));
@@ -51,12 +51,12 @@ double noise(const Vector3d& p) {
                mix(along_x(0, 1), along_x(1, 1), fade(f.y())), fade(f.z()));
 }
 
-double fractal_noise(const Vector3d& p, int octaves) {
+double fractal_noise(const Vector3& p, int octaves) {
     double sum = 0.0;
     double strength = 0.5;
     double scale = 1.0;
     for (int i = 0; i < octaves; ++i) {
-        sum += strength * noise(scale * p + Vector3d::Constant(17.3 * i));
+        sum += strength * noise(scale * p + Vector3::Constant(17.3 * i));
         strength *= 0.5;
         scale *= 2.0;
     }
@@ -72,8 +72,8 @@ double cell_hash(long x, long y, long z) {
     return static_cast<double>(hash(x, y, z)) / 4294967296.0;
 }
 
-double spots(const Vector3d& p, double density, double radius) {
-    const Vector3d cell = p.array().floor();
+double spots(const Vector3& p, double density, double radius) {
+    const Vector3 cell = p.cwiseFloor();
     double strongest = 0.0;
     // A spot may reach over into the neighbouring cells.
     for (int i = 0; i < 27; ++i) {
@@ -83,9 +83,9 @@ double spots(const Vector3d& p, double density, double radius) {
         if (cell_hash(x, y, z) >= density) {
             continue;
         }
-        const Vector3d centre(static_cast<double>(x) + 0.2 + 0.6 * cell_hash(x + 91, y, z),
-                              static_cast<double>(y) + 0.2 + 0.6 * cell_hash(x, y + 57, z),
-                              static_cast<double>(z) + 0.2 + 0.6 * cell_hash(x, y, z + 33));
+        const Vector3 centre(static_cast<double>(x) + 0.2 + 0.6 * cell_hash(x + 91, y, z),
+                             static_cast<double>(y) + 0.2 + 0.6 * cell_hash(x, y + 57, z),
+                             static_cast<double>(z) + 0.2 + 0.6 * cell_hash(x, y, z + 33));
         const double size = radius * (0.5 + 0.5 * cell_hash(x + 7, y + 7, z + 7));
         strongest = std::max(strongest, 1.0 - smooth_step(0.6 * size, size, (p - centre).norm()));
     }

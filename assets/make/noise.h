@@ -5,17 +5,15 @@
 // place of its table.
 #pragma once
 
-#include <Eigen/Core>
+#include "haptics/math/spatial.h"
 
 namespace fulcrum::assets {
 
-using Eigen::Vector3d;
-
 /// Gradient noise, about -1 to 1, 0 at lattice points; features about 1 unit apart.
-[[nodiscard]] double noise(const Vector3d& p);
+[[nodiscard]] double noise(const Vector3& p);
 
 /// Sum of `octaves` noises, each twice as fine and half as strong; about -1 to 1.
-[[nodiscard]] double fractal_noise(const Vector3d& p, int octaves);
+[[nodiscard]] double fractal_noise(const Vector3& p, int octaves);
 
 /// 0 below `from`, 1 above `to`, smooth between.
 [[nodiscard]] double smooth_step(double from, double to, double x);
@@ -25,6 +23,6 @@ using Eigen::Vector3d;
 
 /// Strength 0 to 1 of round spots, at most one a unit cell, present in the share `density` of
 /// cells, of `radius` below 0.5 units.
-[[nodiscard]] double spots(const Vector3d& p, double density, double radius);
+[[nodiscard]] double spots(const Vector3& p, double density, double radius);
 
 }  // namespace fulcrum::assets

@@ -2,14 +2,13 @@
 #include "assets/make/models.h"
 #include "assets/make/parts.h"
 
-#include <Eigen/Geometry>
 #include <numbers>
 
 namespace fulcrum::assets {
 namespace {
 
 /// A part turned on a lathe about the upright axis, from its top to its foot: {radius, height} in metres.
-MeshPart turned(const std::vector<Vector2d>& outline, Colour colour, double roughness) {
+MeshPart turned(const std::vector<Vector2>& outline, Colour colour, double roughness) {
     const auto profile = [outline](double v) { return curve_through(outline, v); };
     MeshPart part = outward(tessellate(revolve(profile), 32, 22));
     part.colour = colour;
@@ -28,8 +27,8 @@ Model make_walker() {
                             {0.016, 0.0},
                             {0.0, 0.0}},
                            srgb(0xD8472B), 0.7);
-    MeshPart head = outward(tessellate(ellipsoid(Vector3d(0.011, 0.012, 0.011)), 24, 14));
-    head.transform(Eigen::Affine3d(Eigen::Translation3d(0.0, 0.050, 0.0)));
+    MeshPart head = outward(tessellate(ellipsoid(Vector3(0.011, 0.012, 0.011)), 24, 14));
+    head.transform(Affine::at({0.0, 0.050, 0.0}));
     head.colour = srgb(0xC98F62);
     head.roughness = 0.6;
     MeshPart hat = turned({{0.0, 0.070},
@@ -52,11 +51,11 @@ Model make_gem() {
     MeshPart gem;
     const auto corner = [](int side, double y_m) {
         const double angle = 2.0 * std::numbers::pi * side / kSides;
-        return Vector3d(kRadius_m * std::sin(angle), y_m, kRadius_m * std::cos(angle));
+        return Vector3(kRadius_m * std::sin(angle), y_m, kRadius_m * std::cos(angle));
     };
-    const auto add = [&gem](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-        const Vector3d normal = (b - a).cross(c - a).normalized();
-        for (const Vector3d& at : {a, b, c}) {
+    const auto add = [&gem](const Vector3& a, const Vector3& b, const Vector3& c) {
+        const Vector3 normal = (b - a).cross(c - a).normalized();
+        for (const Vector3& at : {a, b, c}) {
             gem.indices.push_back(static_cast<std::uint32_t>(gem.positions.size()));
             gem.positions.push_back(at);
             gem.normals.push_back(normal);

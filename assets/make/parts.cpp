@@ -15,9 +15,9 @@ MeshPart outward(MeshPart part) {
 }
 
 void centre_on_mass(Model& model) {
-    const Vector3d centre = bulk_of(model.parts.front()).centroid;
+    const Vector3 centre = bulk_of(model.parts.front()).centroid;
     for (MeshPart& part : model.parts) {
-        part.transform(Eigen::Affine3d(Eigen::Translation3d(-centre)));
+        part.transform(Affine::at(-centre));
     }
 }
 
@@ -30,7 +30,7 @@ MeshPart make_leaf(double length_m, double width_m) {
             const double half_width = 0.5 * width_m * std::max(outline, 0.0);
             const double thickness = 0.02 * length_m * (1.0 - across * across) * outline;
             const double cup = 0.22 * width_m * across * across - 0.16 * length_m * u * u;
-            return Vector3d(length_m * u, cup + side * thickness, half_width * across);
+            return Vector3(length_m * u, cup + side * thickness, half_width * across);
         };
     };
     MeshPart leaf = tessellate(sheet(1.0), 24, 12);
@@ -55,13 +55,13 @@ Picture paint_leaf() {
     });
 }
 
-MeshPart make_blob(const Vector3d& centre_m, const Vector3d& radii_m, double bump, int columns,
+MeshPart make_blob(const Vector3& centre_m, const Vector3& radii_m, double bump, int columns,
                    int rows) {
-    const Surface ball = ellipsoid(Vector3d::Ones());
+    const Surface ball = ellipsoid(Vector3::Ones());
     const auto surface = [=](double u, double v) {
-        const Vector3d unit = ball(u, v);
+        const Vector3 unit = ball(u, v);
         const double swell = 1.0 + bump * fractal_noise(2.6 * unit + 31.0 * centre_m, 3);
-        return Vector3d(centre_m + swell * unit.cwiseProduct(radii_m));
+        return Vector3(centre_m + swell * unit.cwiseProduct(radii_m));
     };
     return outward(tessellate(surface, columns, rows));
 }

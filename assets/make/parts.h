@@ -18,7 +18,7 @@ void centre_on_mass(Model& model);
 [[nodiscard]] Picture paint_leaf();
 
 /// A closed bumpy ball: radii times (1 + bump * noise), for crowns of trees and clouds.
-[[nodiscard]] MeshPart make_blob(const Vector3d& centre_m, const Vector3d& radii_m, double bump,
+[[nodiscard]] MeshPart make_blob(const Vector3& centre_m, const Vector3& radii_m, double bump,
                                  int columns, int rows);
 
 }  // namespace fulcrum::assets

@@ -1,7 +1,8 @@
 // Painted pictures: colours are linear while painted and sRGB when stored.
 #pragma once
 
-#include <Eigen/Core>
+#include "haptics/math/spatial.h"
+
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -9,7 +10,7 @@
 namespace fulcrum::assets {
 
 /// Linear red, green, blue, 0 to 1.
-using Colour = Eigen::Vector3d;
+using Colour = Vector3;
 
 struct Picture {
     int width = 0;

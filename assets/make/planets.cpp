@@ -21,7 +21,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // A colour at a place of the unit ball, +Y its north pole.
-using Painter = Colour (*)(const Vector3d& p);
+using Painter = Colour (*)(const Vector3& p);
 
 // Land on a grid of ten degrees: rows from the north pole, columns from 180 degrees west.
 constexpr std::array<std::string_view, 18> kLand{
@@ -42,7 +42,7 @@ double land_at(int row, int column) {
 }
 
 // 0 on the sea to 1 on land, smooth between the grid's middles.
-double land(const Vector3d& p) {
+double land(const Vector3& p) {
     const double latitude = std::asin(std::clamp(p.y(), -1.0, 1.0));
     const double longitude = std::atan2(-p.z(), p.x());
     const double row = (0.5 - latitude / kPi) * 18.0 - 0.5;
@@ -56,10 +56,10 @@ double land(const Vector3d& p) {
 }
 
 // Round holes of several sizes: dark floors, light rims.
-double craters(const Vector3d& p) {
+double craters(const Vector3& p) {
     double shade = 0.0;
     for (const double scale : {4.0, 9.0, 19.0}) {
-        const Vector3d q = scale * p + Vector3d::Constant(31.0 + scale);
+        const Vector3 q = scale * p + Vector3::Constant(31.0 + scale);
         const double floor = spots(q, 0.55, 0.34);
         const double rim = spots(q, 0.55, 0.44) - floor;
         shade += 0.5 * rim - 0.75 * floor;
@@ -68,18 +68,18 @@ double craters(const Vector3d& p) {
 }
 
 // Bands along the parallels, made wavy: 0 to 1.
-double bands(const Vector3d& p, double number, double waves) {
+double bands(const Vector3& p, double number, double waves) {
     const double wave = waves * fractal_noise({3.0 * p.x(), 9.0 * p.y(), 3.0 * p.z()}, 4);
     return 0.5 + 0.5 * std::sin(number * (p.y() + wave));
 }
 
-Colour paint_sun(const Vector3d& p) {
+Colour paint_sun(const Vector3& p) {
     const double grain = 0.5 + 0.5 * fractal_noise(9.0 * p, 4);
-    const double dark = spots(5.0 * p + Vector3d::Constant(3.0), 0.10, 0.20);
+    const double dark = spots(5.0 * p + Vector3::Constant(3.0), 0.10, 0.20);
     return blend(blend(srgb(0xF59B1E), srgb(0xFFE680), grain), srgb(0xA85A10), 0.8 * dark);
 }
 
-Colour paint_mercury(const Vector3d& p) {
+Colour paint_mercury(const Vector3& p) {
     const Colour ground =
         blend(srgb(0x7D756C), srgb(0xA89F93), 0.5 + 0.5 * fractal_noise(5.0 * p, 4));
     const double pit = craters(p);
@@ -87,14 +87,13 @@ Colour paint_mercury(const Vector3d& p) {
                      : blend(ground, srgb(0x4A453F), -0.8 * pit);
 }
 
-Colour paint_venus(const Vector3d& p) {
+Colour paint_venus(const Vector3& p) {
     const double swirl = fractal_noise({2.0 * p.x() + p.y(), 5.0 * p.y(), 2.0 * p.z() - p.y()}, 5);
     return blend(srgb(0xC98F45), srgb(0xF4DDA6), std::clamp(0.5 + 0.8 * swirl, 0.0, 1.0));
 }
 
-Colour paint_mars(const Vector3d& p) {
-    const double dark =
-        smooth_step(0.05, 0.45, fractal_noise(2.6 * p + Vector3d::Constant(7.0), 5));
+Colour paint_mars(const Vector3& p) {
+    const double dark = smooth_step(0.05, 0.45, fractal_noise(2.6 * p + Vector3::Constant(7.0), 5));
     Colour ground = blend(srgb(0xC96B3B), srgb(0x7A3B22), dark);
     ground = blend(ground, srgb(0xE09A66), 0.4 + 0.4 * fractal_noise(14.0 * p, 3));
     const double ragged = 0.05 * fractal_noise(8.0 * p, 3);
@@ -103,7 +102,7 @@ Colour paint_mars(const Vector3d& p) {
     return blend(ground, srgb(0xF7F3EE), std::min(ice, 1.0));
 }
 
-Colour paint_jupiter(const Vector3d& p) {
+Colour paint_jupiter(const Vector3& p) {
     const double band = bands(p, 17.0, 0.06);
     Colour cloud = blend(srgb(0xA86F4A), srgb(0xEFE0C4), band);
     cloud = blend(cloud, srgb(0xC99A72),
@@ -115,15 +114,15 @@ Colour paint_jupiter(const Vector3d& p) {
                  1.0 - smooth_step(0.6, 1.0, std::hypot(latitude, longitude)));
 }
 
-Colour paint_saturn(const Vector3d& p) {
+Colour paint_saturn(const Vector3& p) {
     return blend(srgb(0xC6A66B), srgb(0xF0DFB0), bands(p, 14.0, 0.012));
 }
 
-Colour paint_uranus(const Vector3d& p) {
+Colour paint_uranus(const Vector3& p) {
     return blend(srgb(0x9ED6DC), srgb(0xC8EEF0), 0.5 + 0.3 * p.y() + 0.1 * bands(p, 9.0, 0.01));
 }
 
-Colour paint_neptune(const Vector3d& p) {
+Colour paint_neptune(const Vector3& p) {
     Colour cloud = blend(srgb(0x2F5FC4), srgb(0x5B8DE8), bands(p, 8.0, 0.05));
     const double white =
         smooth_step(0.35, 0.6, fractal_noise({3.0 * p.x(), 16.0 * p.y(), 3.0 * p.z()}, 4));
@@ -144,7 +143,7 @@ MeshPart make_rings() {
                                // Out along the top, back along the bottom.
                                const double way = v < 0.5 ? 2.0 * v : 2.0 - 2.0 * v;
                                const double side = std::sin(2.0 * kPi * v);
-                               return Vector2d(kInner + (kOuter - kInner) * way, kHalfThick * side);
+                               return Vector2(kInner + (kOuter - kInner) * way, kHalfThick * side);
                            }),
                            96, 24));
     rings.roughness = 0.8;
@@ -164,7 +163,7 @@ Picture paint_rings() {
 }
 
 Model make_ball_of(const char* name, Painter painter) {
-    const Surface ball = ellipsoid(Vector3d::Ones());
+    const Surface ball = ellipsoid(Vector3::Ones());
     MeshPart part = outward(tessellate(ball, 64, 44));
     part.roughness = 0.75;
     part.picture = 0;
@@ -175,11 +174,12 @@ Model make_ball_of(const char* name, Painter painter) {
 
 // A beam of wood along x, 1.16 m long, its middle in the origin.
 MeshPart make_beam() {
-    const Vector3d half(0.58, 0.02, 0.05);
+    const Vector3 half(0.58, 0.02, 0.05);
     const auto surface = [half](double u, double v) {
-        const Vector3d unit = ellipsoid(Vector3d::Ones())(u, v);
-        const double longest = std::pow(unit.array().abs().pow(14.0).sum(), 1.0 / 14.0);
-        return Vector3d((unit / longest).cwiseProduct(half));
+        const Vector3 unit = ellipsoid(Vector3::Ones())(u, v);
+        const double longest = std::pow(
+            unit.unaryExpr([](double x) { return std::pow(std::abs(x), 14.0); }).sum(), 1.0 / 14.0);
+        return Vector3((unit / longest).cwiseProduct(half));
     };
     MeshPart beam = outward(tessellate(surface, 96, 48));
     beam.colour = srgb(0xC58F52);
@@ -189,7 +189,7 @@ MeshPart make_beam() {
 
 }  // namespace
 
-Colour paint_earth(const Vector3d& p) {
+Colour paint_earth(const Vector3& p) {
     const double ragged = 0.30 * fractal_noise(7.0 * p, 5);
     const double shore = land(p) + ragged;
     const double latitude = std::abs(p.y());
@@ -246,8 +246,8 @@ Model make_lever() {
     lever.name = "lever";
     // The toy Earth stands on the left end.
     constexpr double kRadius_m = 0.10;
-    Eigen::Affine3d to_end = Eigen::Affine3d::Identity();
-    to_end.translate(Vector3d(-0.5, 0.02 + 0.97 * kRadius_m, 0.0));
+    Affine to_end = Affine::Identity();
+    to_end.translate(Vector3(-0.5, 0.02 + 0.97 * kRadius_m, 0.0));
     to_end.scale(kRadius_m);
     lever.parts[0].transform(to_end);
     lever.parts.push_back(make_beam());
@@ -257,11 +257,12 @@ Model make_lever() {
 Model make_support() {
     // A wedge whose edge lies along z in the origin, 0.3 m tall.
     const auto surface = [](double u, double v) {
-        const Vector3d unit = ellipsoid(Vector3d::Ones())(u, v);
-        const double longest = std::pow(unit.array().abs().pow(14.0).sum(), 1.0 / 14.0);
-        const Vector3d box = unit / longest;
+        const Vector3 unit = ellipsoid(Vector3::Ones())(u, v);
+        const double longest = std::pow(
+            unit.unaryExpr([](double x) { return std::pow(std::abs(x), 14.0); }).sum(), 1.0 / 14.0);
+        const Vector3 box = unit / longest;
         const double width = 0.006 + 0.07 * (0.5 - 0.5 * box.y());
-        return Vector3d(width * box.x(), -0.15 + 0.15 * box.y(), 0.09 * box.z());
+        return Vector3(width * box.x(), -0.15 + 0.15 * box.y(), 0.09 * box.z());
     };
     MeshPart wedge = outward(tessellate(surface, 64, 48));
     wedge.colour = srgb(0x5B7F95);
@@ -275,9 +276,9 @@ Model make_handles() {
     constexpr double kHalfHeight_m = 0.05;
     MeshPart part;
     // A rectangle from corner to corner, counter-clockwise as seen from outside.
-    const auto add = [&](const std::array<Vector3d, 4>& corners) {
+    const auto add = [&](const std::array<Vector3, 4>& corners) {
         const auto first = static_cast<std::uint32_t>(part.positions.size());
-        for (const Vector3d& corner : corners) {
+        for (const Vector3& corner : corners) {
             part.positions.push_back(corner);
             part.normals.push_back(
                 (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized());
@@ -287,23 +288,23 @@ Model make_handles() {
             part.indices.push_back(first + corner);
         }
     };
-    const Vector3d up = kHalfHeight_m * Vector3d::UnitY();
+    const Vector3 up = kHalfHeight_m * Vector3::UnitY();
     for (int i = 0; i < 4; ++i) {
-        const Vector3d along = i % 2 == 0 ? Vector3d(i - 1, 0.0, 0.0) : Vector3d(0.0, 0.0, 2 - i);
-        const Vector3d side = kHalf_m * Vector3d::UnitY().cross(along);
+        const Vector3 along = i % 2 == 0 ? Vector3(i - 1, 0.0, 0.0) : Vector3(0.0, 0.0, 2 - i);
+        const Vector3 side = kHalf_m * Vector3::UnitY().cross(along);
         // Its corners, each sum one number along each axis, so that spokes share them to the last bit.
-        const Vector3d near_left = kHalf_m * along + side;
-        const Vector3d near_right = kHalf_m * along - side;
-        const Vector3d far_left = kReach_m * along + side;
-        const Vector3d far_right = kReach_m * along - side;
+        const Vector3 near_left = kHalf_m * along + side;
+        const Vector3 near_right = kHalf_m * along - side;
+        const Vector3 far_left = kReach_m * along + side;
+        const Vector3 far_right = kReach_m * along - side;
         add({near_left + up, near_right + up, far_right + up, far_left + up});
         add({near_left - up, far_left - up, far_right - up, near_right - up});
         add({near_left - up, near_left + up, far_left + up, far_left - up});
         add({near_right - up, far_right - up, far_right + up, near_right + up});
         add({far_left - up, far_left + up, far_right + up, far_right - up});
     }
-    const Vector3d x(kHalf_m, 0.0, 0.0);
-    const Vector3d z(0.0, 0.0, kHalf_m);
+    const Vector3 x(kHalf_m, 0.0, 0.0);
+    const Vector3 z(0.0, 0.0, kHalf_m);
     add({up - x - z, up - x + z, up + x + z, up + x - z});
     add({-up - x - z, -up + x - z, -up + x + z, -up - x + z});
     part.colour = srgb(0xC9A24B);

@@ -6,6 +6,6 @@
 namespace fulcrum::assets {
 
 /// The Earth's colour at a place of the unit ball: +Y the north pole, Greenwich towards +x.
-[[nodiscard]] Colour paint_earth(const Vector3d& p);
+[[nodiscard]] Colour paint_earth(const Vector3& p);
 
 }  // namespace fulcrum::assets

@@ -13,35 +13,36 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// A closed box with rounded edges about `centre`, rounded as much as a finger notices.
-MeshPart block(const Vector3d& centre_m, const Vector3d& half_m) {
-    const Surface ball = ellipsoid(Vector3d::Ones());
+MeshPart block(const Vector3& centre_m, const Vector3& half_m) {
+    const Surface ball = ellipsoid(Vector3::Ones());
     const auto surface = [=](double u, double v) {
-        const Vector3d unit = ball(u, v);
-        const double longest = std::pow(unit.array().abs().pow(12.0).sum(), 1.0 / 12.0);
-        return Vector3d(centre_m + (unit / longest).cwiseProduct(half_m));
+        const Vector3 unit = ball(u, v);
+        const double longest = std::pow(
+            unit.unaryExpr([](double x) { return std::pow(std::abs(x), 12.0); }).sum(), 1.0 / 12.0);
+        return Vector3(centre_m + (unit / longest).cwiseProduct(half_m));
     };
     return outward(tessellate(surface, 28, 18));
 }
 
 /// A closed turned thing about y: its profile (radius, height) begins and ends on the axis.
-MeshPart turned(std::vector<Vector2d> profile, int around = 40, int along = 32) {
+MeshPart turned(std::vector<Vector2> profile, int around = 40, int along = 32) {
     return outward(tessellate(
         revolve([points = std::move(profile)](double v) { return curve_through(points, v); }),
         around, along));
 }
 
-MeshPart moved(MeshPart part, const Vector3d& by_m) {
-    part.transform(Eigen::Affine3d(Eigen::Translation3d(by_m)));
+MeshPart moved(MeshPart part, const Vector3& by_m) {
+    part.transform(Affine::at(by_m));
     return part;
 }
 
 /// A flat fin that stands out from the hull, seen from the side a swept-back wing.
 MeshPart fin(double turn_rad) {
-    const Surface ball = ellipsoid(Vector3d(0.026, 0.030, 0.004));
+    const Surface ball = ellipsoid(Vector3(0.026, 0.030, 0.004));
     const auto surface = [=](double u, double v) {
-        const Vector3d p = ball(u, v) + Vector3d(0.036, -0.045, 0.0);
-        const Vector3d swept(p.x(), p.y() - 0.5 * p.x(), p.z());
-        return Vector3d(Eigen::AngleAxisd(turn_rad, Vector3d::UnitY()) * swept);
+        const Vector3 p = ball(u, v) + Vector3(0.036, -0.045, 0.0);
+        const Vector3 swept(p.x(), p.y() - 0.5 * p.x(), p.z());
+        return Vector3(AngleAxis(turn_rad, Vector3::UnitY()) * swept);
     };
     return outward(tessellate(surface, 28, 16));
 }
@@ -68,7 +69,7 @@ Model make_cloth() {
         const double edge = smooth_step(0.85, 1.0, out);
         const double radius = square * out * (1.06 + 0.20 * down * down + folds);
         const double y = 1.07 - 0.05 * edge - 2.06 * down;
-        return Vector3d(radius * c, y, radius * s);
+        return Vector3(radius * c, y, radius * s);
     };
     MeshPart top = tessellate(surface, 128, 36);
     if (top.normals[0].y() < 0.0) {
@@ -99,7 +100,7 @@ Model make_spaceship() {
     for (int i = 0; i < 3; ++i) {
         parts.push_back(fin(2.0 * kPi * i / 3.0 + 0.5 * kPi));
     }
-    MeshPart window = moved(outward(tessellate(ellipsoid(Vector3d(0.012, 0.012, 0.006)), 32, 20)),
+    MeshPart window = moved(outward(tessellate(ellipsoid(Vector3(0.012, 0.012, 0.006)), 32, 20)),
                             {0.0, 0.022, 0.028});
     window.colour = srgb(0x35546E);
     parts.push_back(std::move(window));
@@ -126,13 +127,13 @@ Model make_statue() {
                             {0.024, 0.026},
                             {0.012, 0.040},
                             {0.0, 0.042}}));
-    parts.push_back(moved(outward(tessellate(ellipsoid(Vector3d(0.016, 0.020, 0.016)), 32, 20)),
-                          {0, 0.056, 0}));
+    parts.push_back(
+        moved(outward(tessellate(ellipsoid(Vector3(0.016, 0.020, 0.016)), 32, 20)), {0, 0.056, 0}));
     for (const double side : {-1.0, 1.0}) {
         const Surface arm = tube(
             [=](double t) {
-                return Vector3d(side * (0.020 + 0.018 * std::sin(kPi * t)), 0.030 - 0.052 * t,
-                                0.012 * t);
+                return Vector3(side * (0.020 + 0.018 * std::sin(kPi * t)), 0.030 - 0.052 * t,
+                               0.012 * t);
             },
             [](double t) {
                 return 0.0075 * std::sqrt(std::max(0.0, 1.0 - std::pow(2 * t - 1, 8)));
@@ -151,8 +152,8 @@ Model make_bell() {
                                         {0.024, 0.028},
                                         {0.010, 0.042},
                                         {0.0, 0.044}})};
-    parts.push_back(moved(outward(tessellate(ellipsoid(Vector3d(0.011, 0.011, 0.011)), 24, 16)),
-                          {0, 0.050, 0}));
+    parts.push_back(
+        moved(outward(tessellate(ellipsoid(Vector3(0.011, 0.011, 0.011)), 24, 16)), {0, 0.050, 0}));
     return finish("bell", std::move(parts));
 }
 

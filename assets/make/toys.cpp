@@ -14,7 +14,7 @@ constexpr double kCursorRadius_m = 0.02;
 
 /// A soft ball.
 std::vector<MeshPart> cursor_parts() {
-    MeshPart ball = outward(tessellate(ellipsoid(Vector3d::Constant(kCursorRadius_m)), 72, 40));
+    MeshPart ball = outward(tessellate(ellipsoid(Vector3::Constant(kCursorRadius_m)), 72, 40));
     ball.colour = srgb(0xE8743B);
     ball.roughness = 0.4;
     return {std::move(ball)};
@@ -59,7 +59,7 @@ Model make_star() {
         // Near the middle it is round, towards the rim a star.
         const double r =
             reach * (0.034 + (star_outline(angle) - 0.034) * smooth_step(0.1, 1.0, reach));
-        return Vector3d(r * std::sin(angle), r * std::cos(angle), puff);
+        return Vector3(r * std::sin(angle), r * std::cos(angle), puff);
     };
     MeshPart star = outward(tessellate(surface, 160, 36));
     star.colour = srgb(0xF6B914);
@@ -68,26 +68,26 @@ Model make_star() {
 }
 
 Model make_sphere() {
-    MeshPart ball = outward(tessellate(ellipsoid(Vector3d::Ones()), 96, 48));
+    MeshPart ball = outward(tessellate(ellipsoid(Vector3::Ones()), 96, 48));
     ball.picture = 0;
     ball.roughness = 0.45;
     // The picture's seam lies at the back.
-    ball.transform(Eigen::Affine3d(Eigen::AngleAxisd(kPi, Vector3d::UnitY())));
+    ball.transform(Affine(AngleAxis(kPi, Vector3::UnitY())));
     // Twelve spots, on the corners of an icosahedron: one sees how it turns.
     const double golden = 0.5 * (1.0 + std::sqrt(5.0));
-    const auto spot = [golden](const Vector3d& p) {
+    const auto spot = [golden](const Vector3& p) {
         double nearest = -1.0;
         for (const double a : {-1.0, 1.0}) {
             for (const double b : {-golden, golden}) {
-                for (const Vector3d& corner :
-                     {Vector3d(0, a, b), Vector3d(a, b, 0), Vector3d(b, 0, a)}) {
+                for (const Vector3& corner :
+                     {Vector3(0, a, b), Vector3(a, b, 0), Vector3(b, 0, a)}) {
                     nearest = std::max(nearest, p.dot(corner.normalized()));
                 }
             }
         }
         return smooth_step(0.955, 0.965, nearest);
     };
-    const auto on_ball = ellipsoid(Vector3d::Ones());
+    const auto on_ball = ellipsoid(Vector3::Ones());
     Model model{"sphere", {}, {}};
     model.pictures.push_back(paint(512, 256, [&](double u, double v) {
         return blend(srgb(0x3E86C6), srgb(0xF3EFE2), spot(on_ball(u, v)));
@@ -100,9 +100,9 @@ Model make_box() {
     MeshPart faces;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
-            const Vector3d out = side * Vector3d::Unit(axis);
-            const Vector3d right = Vector3d::Unit((axis + 1) % 3);
-            const Vector3d up = out.cross(right);
+            const Vector3 out = side * Vector3::Unit(axis);
+            const Vector3 right = Vector3::Unit((axis + 1) % 3);
+            const Vector3 up = out.cross(right);
             const auto first = static_cast<std::uint32_t>(faces.positions.size());
             for (const double v : {-1.0, 1.0}) {
                 for (const double u : {-1.0, 1.0}) {
@@ -129,13 +129,14 @@ Model make_box() {
 
 Model make_plank() {
     // A rounded box: each direction u, v pushed towards the box by a high power.
-    const Vector3d half(0.45, 0.0125, 0.10);
+    const Vector3 half(0.45, 0.0125, 0.10);
     const auto surface = [half](double u, double v) {
-        const Vector3d unit = ellipsoid(Vector3d::Ones())(u, v);
-        const double longest = std::pow(unit.array().abs().pow(14.0).sum(), 1.0 / 14.0);
-        return Vector3d((unit / longest).cwiseProduct(half) - Vector3d(0.0, half.y(), 0.0));
+        const Vector3 unit = ellipsoid(Vector3::Ones())(u, v);
+        const double longest = std::pow(
+            unit.unaryExpr([](double x) { return std::pow(std::abs(x), 14.0); }).sum(), 1.0 / 14.0);
+        return Vector3((unit / longest).cwiseProduct(half) - Vector3(0.0, half.y(), 0.0));
     };
-    const auto wood = [](const Vector3d& p) {
+    const auto wood = [](const Vector3& p) {
         const double rings =
             26.0 * p.z() + 1.1 * fractal_noise({2.5 * p.x(), 8.0 * p.y(), 9.0 * p.z()}, 3);
         const double grain = 0.5 + 0.5 * std::sin(2.0 * kPi * rings);

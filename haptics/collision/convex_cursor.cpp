@@ -92,7 +92,7 @@ ConvexBody make_convex_cursor(const SolidShape& shape) {
     }
     const double rounded_m = kRounded * least_half_m(body.core);
     if (body.core.kind == Kind::box) {
-        body.core.half_m.array() -= rounded_m;
+        body.core.half_m -= Vector3::Constant(rounded_m);
     } else if (body.core.kind == Kind::cylinder) {
         body.core.half_m -= Vector3(rounded_m, rounded_m, 0.0);
     }

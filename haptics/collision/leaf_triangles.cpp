@@ -92,7 +92,7 @@ void LeafTriangles::load(const CollisionMesh& mesh, std::int32_t leaf) noexcept 
         const Vector3 ab = (corners[i][1] - corners[i][0]) * radii_per_m_;
         const Vector3 ac = (corners[i][2] - corners[i][0]) * radii_per_m_;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto k = static_cast<Eigen::Index>(axis);
+            const auto k = static_cast<Index>(axis);
             a_[axis][i] = static_cast<float>(a[k]);
             ab_[axis][i] = static_cast<float>(ab[k]);
             ac_[axis][i] = static_cast<float>(ac[k]);
@@ -141,7 +141,7 @@ unsigned LeafTriangles::find_in_box(const Box& box_B) const noexcept {
     alignas(32) Row beside;
     beside.fill(-1.0F);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<Eigen::Index>(axis);
+        const auto k = static_cast<Index>(axis);
         const float least = static_cast<float>(lower[k]) - slack;
         const float most = static_cast<float>(upper[k]) + slack;
         for (std::size_t i = 0; i < kWidth; ++i) {

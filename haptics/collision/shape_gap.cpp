@@ -60,7 +60,8 @@ Gap find_gap(const SphereShape& sphere, const Vector3& p_B) noexcept {
 
 Gap find_gap(const BoxShape& box, const Vector3& p_B) noexcept {
     const Vector3 beyond = p_B.cwiseAbs() - box.half_size_m;
-    const int n_beyond = static_cast<int>((beyond.array() > 0.0).count());
+    const int n_beyond =
+        (beyond.x() > 0.0 ? 1 : 0) + (beyond.y() > 0.0 ? 1 : 0) + (beyond.z() > 0.0 ? 1 : 0);
     if (n_beyond <= 1) {
         // Over a face, or under it.
         int axis = 0;

@@ -45,7 +45,7 @@ class TriangleBatch {
 
 inline void TriangleBatch::add(const PreparedTriangle& triangle) noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         a_[axis][n_] = triangle.a[i];
         doubled_area_[axis][n_] = triangle.doubled_area[i];
         lower_[axis][n_] = std::min({triangle.a[i], triangle.b[i], triangle.c[i]});

@@ -248,10 +248,10 @@ void BlockSystem::subtract_product(std::size_t row, std::size_t other, std::size
                                    std::size_t j) noexcept {
     const auto target = static_cast<std::size_t>(block_of_[cell(row, other)]);
     if constexpr (symmetric) {
-        blocks_[target].noalias() -= blocks_[i].lazyProduct(blocks_[j].transpose());
+        blocks_[target] -= blocks_[i] * blocks_[j].transpose();
     } else {
-        blocks_[target].noalias() -= blocks_[i].lazyProduct(mirrors_[j].transpose());
-        mirrors_[target].noalias() -= mirrors_[i].lazyProduct(blocks_[j].transpose());
+        blocks_[target] -= blocks_[i] * mirrors_[j].transpose();
+        mirrors_[target] -= mirrors_[i] * blocks_[j].transpose();
     }
 }
 
@@ -272,7 +272,7 @@ void BlockSystem::eliminate_column(std::size_t column) noexcept {
     for (std::size_t i = begin; i < end; ++i) {
         const std::size_t row = row_body_[i];
         const Matrix6& opposite = symmetric ? blocks_[i] : mirrors_[i];
-        diagonals_[row].noalias() -= blocks_[i].lazyProduct(opposite.transpose());
+        diagonals_[row] -= blocks_[i] * opposite.transpose();
         for (std::size_t j = begin; j < i; ++j) {
             const std::size_t other = row_body_[j];
             if (place_[row] > place_[other]) {
@@ -306,7 +306,7 @@ void BlockSystem::solve(std::span<Vector6> g) const noexcept {
         Vector6& x = g[body];
         solve_lower(diagonals_[body], inverse_pivots_[body], symmetric_, x);
         for (std::size_t i = column_begin_[column]; i < column_begin_[column + 1]; ++i) {
-            g[row_body_[i]].noalias() -= blocks_[i].lazyProduct(x);
+            g[row_body_[i]] -= blocks_[i] * x;
         }
     }
     const std::vector<Matrix6>& opposite = symmetric_ ? blocks_ : mirrors_;
@@ -314,7 +314,7 @@ void BlockSystem::solve(std::span<Vector6> g) const noexcept {
         const std::size_t body = order_[column];
         Vector6& x = g[body];
         for (std::size_t i = column_begin_[column]; i < column_begin_[column + 1]; ++i) {
-            x.noalias() -= opposite[i].transpose().lazyProduct(g[row_body_[i]]);
+            x -= opposite[i].transpose() * g[row_body_[i]];
         }
         solve_upper(diagonals_[body], inverse_pivots_[body], symmetric_, x);
     }

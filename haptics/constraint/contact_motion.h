@@ -50,14 +50,14 @@ inline Vector6 compute_velocity_change(const ConstrainedBody& body,
                                        const Vector6& momentum) noexcept {
     Vector6 change;
     change.head<3>() = momentum.head<3>() / body.mass_kg;
-    change.tail<3>().noalias() = body.inverse_inertia_W * momentum.tail<3>();
+    change.tail<3>() = body.inverse_inertia_W * momentum.tail<3>();
     return change;
 }
 /// M times a velocity.
 inline Vector6 compute_momentum(const ConstrainedBody& body, const Vector6& velocity) noexcept {
     Vector6 momentum;
     momentum.head<3>() = body.mass_kg * velocity.head<3>();
-    momentum.tail<3>().noalias() = body.inertia_W * velocity.tail<3>();
+    momentum.tail<3>() = body.inertia_W * velocity.tail<3>();
     return momentum;
 }
 

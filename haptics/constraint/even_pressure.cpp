@@ -1,6 +1,7 @@
 #include "haptics/constraint/even_pressure.h"
 
-#include <Eigen/Cholesky>
+#include "haptics/math/dense.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +40,7 @@ EvenPressure::Look EvenPressure::look(const Vector6& sunk, const Vector6& wanted
         const double deep = rows_[k].dot(sunk);
         if (deep > 0.0) {
             seen.slope += weights_[k] * deep * rows_[k];
-            seen.springs.noalias() += (weights_[k] * rows_[k]) * rows_[k].transpose();
+            seen.springs += (weights_[k] * rows_[k]) * rows_[k].transpose();
             seen.value += 0.5 * weights_[k] * deep * deep;
         }
     }
@@ -64,18 +65,18 @@ bool EvenPressure::solve(const Vector6& wrench) noexcept {
     // As if all pressed, to begin with.
     Matrix6 springs = Matrix6::Zero();
     for (std::size_t k = 0; k < n_; ++k) {
-        springs.noalias() += (weights_[k] * rows_[k]) * rows_[k].transpose();
+        springs += (weights_[k] * rows_[k]) * rows_[k].transpose();
     }
     held_ = kHeldShare * springs.trace();
     if (!(size > 0.0) || !std::isfinite(size) || !(held_ > 0.0)) {
         return false;
     }
     wanted /= size;
-    springs.diagonal().array() += held_;
-    Vector6 sunk = springs.llt().solve(wanted);
+    springs.diagonal() += Vector6::Constant(held_);
+    Vector6 sunk = solve_cholesky(springs, wanted);
     Look seen = look(sunk, wanted);
     for (int i = 0; i < kMostEvenRounds && seen.slope.norm() > kEvenSettled; ++i) {
-        const Vector6 step = seen.springs.llt().solve(seen.slope);
+        const Vector6 step = solve_cholesky(seen.springs, seen.slope);
         const double promised = step.dot(seen.slope);
         double share = 1.0;
         for (int h = 0; h < kMostEvenHalvings && find_value(sunk - share * step, wanted) >

@@ -2,6 +2,7 @@
 
 #include "haptics/constraint/complementarity.h"
 #include "haptics/constraint/contact_problem.h"
+#include "haptics/math/dense.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +28,13 @@ constexpr double kBalanced = 0.02;  // of the largest that is wanted: farther of
 }  // namespace
 
 bool FrictionConstraintSolver::set_inertia(double mass_kg, const Matrix3& inertia_W) noexcept {
-    const Eigen::LLT<Matrix3> factor(inertia_W);
-    if (!(mass_kg > 0.0) || !std::isfinite(mass_kg) || !inertia_W.allFinite() ||
-        factor.info() != Eigen::Success) {
+    const std::optional<Matrix3> factor = compute_cholesky(inertia_W);
+    if (!(mass_kg > 0.0) || !std::isfinite(mass_kg) || !inertia_W.allFinite() || !factor) {
         return false;
     }
     L_.setZero();
     L_.diagonal().head<3>().setConstant(std::sqrt(mass_kg));
-    L_.bottomRightCorner<3, 3>() = factor.matrixL();
+    L_.bottomRightCorner<3, 3>() = *factor;
     per_root_mass_ = 1.0 / L_(0, 0);
     const Matrix3 lower = L_.bottomRightCorner<3, 3>();
     per_root_inertia_ = lower.inverse();
@@ -50,7 +50,7 @@ bool FrictionConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W
     }
     Contact& contact = contacts_[n_];
     contact.axes_W = make_contact_axes(normal_W);
-    for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Index i = 0; i < 3; ++i) {
         const Vector3 axis_W = contact.axes_W.col(i);
         contact.J.col(i) << per_root_mass_ * axis_W, per_root_inertia_ * arm_W.cross(axis_W);
     }
@@ -92,7 +92,7 @@ Vector6 FrictionConstraintSolver::find_defect(const Vector6& y, bool follows) no
         if (along > bound) {
             c.f.tail<2>() *= bound / along;
         }
-        r.noalias() -= c.J * c.f;
+        r -= c.J * c.f;
     }
     return r;
 }
@@ -113,15 +113,15 @@ Matrix6 FrictionConstraintSolver::find_slope(bool follows) const noexcept {
         if (along <= bound) {
             P(1, 1) = P(2, 2) = 1.0;
         } else {
-            const Eigen::Vector2d d(c.q.y() / along, c.q.z() / along);
+            const Vector2 d(c.q.y() / along, c.q.z() / along);
             P.bottomRightCorner<2, 2>() =
-                (bound / along) * (Eigen::Matrix2d::Identity() - d * d.transpose());
+                (bound / along) * (Matrix2::Identity() - d * d.transpose());
             if (follows) {
                 P.bottomLeftCorner<2, 1>() = c.friction * d;
             }
         }
         const Axes pushed = c.stiffness * c.J * P;
-        H.noalias() += pushed * c.J.transpose();
+        H += pushed * c.J.transpose();
     }
     return H;
 }
@@ -136,7 +136,7 @@ bool FrictionConstraintSolver::follow(Vector6& y) noexcept {
             return true;
         }
         ++answer_.rounds;
-        at -= find_slope(true).partialPivLu().solve(r);
+        at -= solve_lu(find_slope(true), r);
         r = find_defect(at, true);
         if (!r.allFinite()) {
             return false;
@@ -150,7 +150,7 @@ void FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
     Vector6 r = find_defect(y, false);
     for (int i = 0; i < kMostHeld && r.norm() > enough && has_time(); ++i) {
         ++answer_.rounds;
-        const Vector6 step = -find_slope(false).llt().solve(r);
+        const Vector6 step = -solve_cholesky(find_slope(false), r);
         const double first = step.dot(r);
         double low = 0.0;
         double high = 1.0;
@@ -223,7 +223,7 @@ bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
 Vector6 FrictionConstraintSolver::sum_forces() const noexcept {
     Vector6 sum = Vector6::Zero();
     for (std::size_t k = 0; k < n_; ++k) {
-        sum.noalias() += contacts_[k].J * contacts_[k].f;
+        sum += contacts_[k].J * contacts_[k].f;
     }
     return sum;
 }
@@ -279,7 +279,7 @@ const LeastConstraint& FrictionConstraintSolver::solve(const Vector6& wanted) no
         answer_.acceleration = wanted;
         return answer_;
     }
-    answer_.acceleration = L_.transpose().triangularView<Eigen::Upper>().solve(y) * size;
+    answer_.acceleration = solve_lower_transposed(L_, y) * size;
     // What hand and objects feel is one force: that of the contacts, where it is not the way's.
     answer_.force = L_ * (answer_.exact ? Vector6(y - wanted_) : sum_forces()) * size;
     return answer_;

@@ -54,7 +54,7 @@ class FrictionConstraintSolver {
     static constexpr double kTolerance = 1.0e-11;
 
   private:
-    using Axes = Eigen::Matrix<double, 6, 3>;
+    using Axes = Matrix<double, 6, 3>;
     struct Contact {
         Axes J{Axes::Zero()};  // L^-1 J^T, of the normal and two tangents
         Matrix3 axes_W{Matrix3::Identity()};

@@ -1,5 +1,7 @@
 #include "haptics/constraint/least_constraint.h"
 
+#include "haptics/math/dense.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,7 +36,7 @@ Vector6 remove_from(const Matrix6& Q, int n, const Vector6& row, Vector6& along)
     return rest;
 }
 
-// Of a triangle of three rows, by hand: Eigen's solver of many right sides may allocate.
+// Of a triangle of three rows, by hand.
 Matrix3 invert_lower(const Matrix3& L) noexcept {
     Matrix3 inverse = Matrix3::Zero();
     for (int i = 0; i < 3; ++i) {
@@ -78,14 +80,13 @@ Vector6 solve_lower(const Matrix6& R, int n, const Vector6& b) noexcept {
 }  // namespace
 
 bool LeastConstraintSolver::set_inertia(double mass_kg, const Matrix3& inertia_W) noexcept {
-    const Eigen::LLT<Matrix3> factor(inertia_W);
-    if (!(mass_kg > 0.0) || !std::isfinite(mass_kg) || !inertia_W.allFinite() ||
-        factor.info() != Eigen::Success) {
+    const std::optional<Matrix3> factor = compute_cholesky(inertia_W);
+    if (!(mass_kg > 0.0) || !std::isfinite(mass_kg) || !inertia_W.allFinite() || !factor) {
         return false;
     }
     L_.setZero();
     L_.diagonal().head<3>().setConstant(std::sqrt(mass_kg));
-    L_.bottomRightCorner<3, 3>() = factor.matrixL();
+    L_.bottomRightCorner<3, 3>() = *factor;
     per_root_mass_ = 1.0 / L_(0, 0);
     per_root_inertia_ = invert_lower(L_.bottomRightCorner<3, 3>());
     return true;
@@ -205,7 +206,11 @@ bool LeastConstraintSolver::take(std::size_t k, double size, Vector6& at, double
         const Vector6 ratio = solve_upper(acting_.R, acting_.n, along);
         const double square = rest.squaredNorm();
         // What the rows' errors make of the rest.
-        error = kRowError * (1.0 + ratio.head(acting_.n).lpNorm<1>());
+        double ratios = 0.0;
+        for (int j = 0; j < acting_.n; ++j) {
+            ratios += std::abs(ratio[j]);
+        }
+        error = kRowError * (1.0 + ratios);
         const double slack = row(k).dot(at) - least_[k];
         const double within = -slack > error * size ? error : std::max(error, kNearlyFollows);
         const bool follows = acting_.n == kMost || square <= within * within;
@@ -227,7 +232,9 @@ bool LeastConstraintSolver::take(std::size_t k, double size, Vector6& at, double
         if (!follows) {
             at += step * rest;
         }
-        acting_.force.head(acting_.n) -= step * ratio.head(acting_.n);
+        for (int j = 0; j < acting_.n; ++j) {
+            acting_.force[j] -= step * ratio[j];
+        }
         force += step;
         ++answer_.rounds;
         if (step == whole) {
@@ -292,7 +299,7 @@ const LeastConstraint& LeastConstraintSolver::solve(const Vector6& wanted) noexc
         answer_.acceleration = wanted;
         return answer_;
     }
-    answer_.acceleration = L_.transpose().triangularView<Eigen::Upper>().solve(at);
+    answer_.acceleration = solve_lower_transposed(L_, at);
     answer_.force = L_ * (at - y);
     return answer_;
 }

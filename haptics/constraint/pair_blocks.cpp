@@ -9,14 +9,14 @@ constexpr double kSameOffset = 1.0e-9;  // metres
 Matrix6 move_columns(const Matrix6& K, const Vector3& offset) noexcept {
     const Matrix3 skew = compute_skew(offset);
     Matrix6 moved = K;
-    moved.rightCols<3>().noalias() -= K.leftCols<3>() * skew;
+    moved.rightCols<3>() -= K.leftCols<3>() * skew;
     return moved;
 }
 // X^T K.
 Matrix6 move_rows(const Matrix6& K, const Vector3& offset) noexcept {
     const Matrix3 skew = compute_skew(offset);
     Matrix6 moved = K;
-    moved.bottomRows<3>().noalias() += skew * K.topRows<3>();
+    moved.bottomRows<3>() += skew * K.topRows<3>();
     return moved;
 }
 
@@ -26,7 +26,7 @@ void add_body_blocks(std::span<const ConstrainedBody> bodies, BlockSystem& matri
     int i = 0;
     for (const ConstrainedBody& body : bodies) {
         Matrix6& block = matrix.diagonal(i++);
-        block.topLeftCorner<3, 3>().diagonal().array() += body.mass_kg;
+        block.topLeftCorner<3, 3>().diagonal() += Vector3::Constant(body.mass_kg);
         block.bottomRightCorner<3, 3>() += body.inertia_W;
     }
 }
@@ -59,10 +59,10 @@ void add_row_blocks(const RowConstraint& row, double stiffness, BlockSystem& mat
     const Vector6 a = stiffness * row.jacobian_a;
     const Vector6 b = stiffness * row.jacobian_b;
     if (row.body_a != kGround) {
-        matrix.diagonal(row.body_a).noalias() += a * row.jacobian_a.transpose();
+        matrix.diagonal(row.body_a) += a * row.jacobian_a.transpose();
     }
     if (row.body_b != kGround) {
-        matrix.diagonal(row.body_b).noalias() += b * row.jacobian_b.transpose();
+        matrix.diagonal(row.body_b) += b * row.jacobian_b.transpose();
     }
     if (row.body_a != kGround && row.body_b != kGround) {
         const Matrix6 across = b * row.jacobian_a.transpose();

@@ -66,7 +66,7 @@ IntervalVector InBetweenMotion::enclose(const PointPath& path, const Interval& t
     const SineCosineInterval turn = turn_over(t);
     IntervalVector box;
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
+        const auto k = static_cast<Index>(i);
         box[i] = Interval::at(path.a[k]) + travel_A_[k] * t + path.b[k] * turn.cosine +
                  path.c[k] * turn.sine;
     }

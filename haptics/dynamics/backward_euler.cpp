@@ -14,8 +14,8 @@
 // which makes it no shorter is the last one, and the second which does not halve it. A halved step says nothing of the kind, nor
 // does one that meets something new.
 #include "haptics/dynamics/integrator_steps.h"
+#include "haptics/math/dense.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,7 +96,7 @@ Guess evaluate(const Step& step, const IntegratorSettings& settings, const Twist
     guess.matrix = -h * jacobian.velocity;
     guess.matrix.leftCols<3>() -= h * h * jacobian.pose.leftCols<3>();
     guess.matrix.rightCols<3>() -= h * jacobian.pose.rightCols<3>() * turn_by_spin;
-    guess.matrix.topLeftCorner<3, 3>().diagonal().array() += mass_kg;
+    guess.matrix.topLeftCorner<3, 3>().diagonal() += Vector3::Constant(mass_kg);
     guess.matrix.bottomRightCorner<3, 3>() +=
         inertia_W +
         (inertia_W * compute_skew(velocity.angular) - compute_skew(momentum)) * turn_by_spin;
@@ -113,18 +113,18 @@ StepStatus solve(const Inertia& inertia, const Guess& guess, Vector6& change) no
     const double shift = 1.0 / std::sqrt(inertia.mass_kg);
     Vector6 scale;
     scale << Vector3::Constant(shift), Vector3::Constant(turn);
-    const Matrix6 scaled = scale.asDiagonal() * guess.matrix * scale.asDiagonal();
+    const Matrix6 scaled = guess.matrix.cwiseProduct(scale * scale.transpose());
     if (!scaled.allFinite()) {
         return StepStatus::singular;
     }
-    const Eigen::PartialPivLU<Matrix6> lu(scaled);
-    const Vector6 pivots = lu.matrixLU().diagonal().cwiseAbs();
+    Vector6 pivots;
+    const Vector6 solved = solve_lu(scaled, scale.cwiseProduct(guess.residual), &pivots);
+    pivots = pivots.cwiseAbs();
     constexpr double kLost = 1.0e-14;  // of the largest pivot: nothing but rounding
     if (!(pivots.minCoeff() > kLost * pivots.maxCoeff())) {
         return StepStatus::singular;
     }
-    const Vector6 scaled_residual = scale.cwiseProduct(guess.residual);
-    change = -scale.cwiseProduct(Vector6(lu.solve(scaled_residual)));
+    change = -scale.cwiseProduct(solved);
     return change.allFinite() ? StepStatus::done : StepStatus::singular;
 }
 

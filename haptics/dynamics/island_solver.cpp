@@ -1,6 +1,7 @@
 #include "haptics/dynamics/island_solver.h"
 
-#include <Eigen/Eigenvalues>
+#include "haptics/math/dense.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,11 +76,10 @@ Matrix3 find_pull_moment(const RigidWorldBody& body, double dt_s) noexcept {
     if (body.pull_stiffness_W.isZero(0.0)) {
         return moment;
     }
-    Eigen::SelfAdjointEigenSolver<Matrix3> parts;
-    parts.computeDirect(stiff);
+    const SymmetricAxes parts = compute_symmetric_axes_direct(stiff);
     for (int k = 0; k < 3; ++k) {
-        const Vector3 axis = parts.eigenvectors().col(k);
-        moment += std::max(parts.eigenvalues()[k], 0.0) * axis * axis.transpose();
+        const Vector3 axis = parts.axes.col(k);
+        moment += std::max(parts.values[k], 0.0) * axis * axis.transpose();
     }
     return moment;
 }

@@ -43,7 +43,7 @@ class Places {
     Places(const TriangleMesh& mesh, int n_along) : first_B_(mesh.lower_B()) {
         const Vector3 size_m = mesh.upper_B() - mesh.lower_B();
         step_m_ = size_m.maxCoeff() / n_along;
-        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        for (Index axis = 0; axis < 3; ++axis) {
             const double n = std::ceil(size_m[axis] / step_m_);
             n_[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(std::max(n, 1.0));
         }

@@ -1,6 +1,7 @@
 #include "haptics/field/linearised_wrench.h"
 
-#include <Eigen/Eigenvalues>
+#include "haptics/math/dense.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,15 +46,13 @@ double compute_excess(const LinearisedWrench& asked,
 // Takes the positive eigenvalues out of the symmetric part; the skew part does no work and stays.
 bool remove_active_part(Matrix3& damping) noexcept {
     const Matrix3 symmetric = 0.5 * (damping + damping.transpose());
-    Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
-    eigen.computeDirect(symmetric);
+    const SymmetricAxes parts = compute_symmetric_axes_direct(symmetric);
     constexpr double kRounding_Ns_per_m = 1.0e-9;
-    if (!(eigen.eigenvalues().maxCoeff() > kRounding_Ns_per_m)) {
+    if (!(parts.values.maxCoeff() > kRounding_Ns_per_m)) {
         return false;
     }
-    const Vector3 kept = eigen.eigenvalues().cwiseMin(0.0);
-    damping +=
-        eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose() - symmetric;
+    const Vector3 kept = parts.values.cwiseMin(0.0);
+    damping += parts.axes * kept.asDiagonal() * parts.axes.transpose() - symmetric;
     return true;
 }
 
@@ -64,9 +63,9 @@ Wrench compute_linearised_wrench(const LinearisedWrench& model, const Vector3& p
     const Vector3 away_m = position_W - model.at_position_W;
     const Vector3 faster_m_per_s = velocity_W - model.at_velocity_W;
     Wrench wrench_W{model.force_W, model.torque_W};
-    wrench_W.force.noalias() += model.stiffness_N_per_m * away_m;
-    wrench_W.force.noalias() += model.damping_Ns_per_m * faster_m_per_s;
-    wrench_W.torque.noalias() += model.torque_stiffness_Nm_per_m * away_m;
+    wrench_W.force += model.stiffness_N_per_m * away_m;
+    wrench_W.force += model.damping_Ns_per_m * faster_m_per_s;
+    wrench_W.torque += model.torque_stiffness_Nm_per_m * away_m;
     return wrench_W;
 }
 
@@ -147,7 +146,7 @@ Wrench LinearisedWrenchStage::step(const LinearisedWrench& newest, const Vector3
     }
     last_ = compute_blended(position_W, velocity_W, now_s);
     elastic_force_.now_W = last_.wrench_W.force;
-    elastic_force_.now_W.noalias() -= last_.force_share * (model_.damping_Ns_per_m * velocity_W);
+    elastic_force_.now_W -= last_.force_share * (model_.damping_Ns_per_m * velocity_W);
     elastic_torque_.now_W = last_.wrench_W.torque;
     return last_.wrench_W;
 }
@@ -158,9 +157,8 @@ void LinearisedWrenchStage::hold_elastic(const Vector3& position_W) noexcept {
     last_position_W_ = position_W;
     elastic_force_.held_W = elastic_force_.now_W;
     elastic_torque_.held_W = elastic_torque_.now_W;
-    elastic_force_.held_W.noalias() += last_.force_share * (model_.stiffness_N_per_m * moved_m);
-    elastic_torque_.held_W.noalias() +=
-        last_.torque_share * (model_.torque_stiffness_Nm_per_m * moved_m);
+    elastic_force_.held_W += last_.force_share * (model_.stiffness_N_per_m * moved_m);
+    elastic_torque_.held_W += last_.torque_share * (model_.torque_stiffness_Nm_per_m * moved_m);
 }
 
 }  // namespace fulcrum

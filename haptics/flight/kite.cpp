@@ -1,8 +1,8 @@
 #include "haptics/flight/kite.h"
 
 #include "haptics/base/range.h"
+#include "haptics/math/dense.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -203,24 +203,24 @@ PointMasses weigh(const KiteSettings& settings, const Parts& parts,
 
 // The principal axes, of all orders and directions those nearest to K's own, so that a symmetric kite's frame is not turned.
 Matrix3 find_axes(const Matrix3& inertia, Vector3& moments) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
+    const SymmetricAxes own = compute_symmetric_axes(inertia);
     Matrix3 axes;
     std::array<bool, 3> taken{};
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        Eigen::Index best = -1;
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            const double along = std::abs(solver.eigenvectors()(axis, i));
+    for (Index axis = 0; axis < 3; ++axis) {
+        Index best = -1;
+        for (Index i = 0; i < 3; ++i) {
+            const double along = std::abs(own.axes(axis, i));
             if (!taken[static_cast<std::size_t>(i)] &&
-                (best < 0 || along > std::abs(solver.eigenvectors()(axis, best)))) {
+                (best < 0 || along > std::abs(own.axes(axis, best)))) {
                 best = i;
             }
         }
         taken[static_cast<std::size_t>(best)] = true;
-        axes.col(axis) = solver.eigenvectors().col(best);
+        axes.col(axis) = own.axes.col(best);
         if (axes(axis, axis) < 0.0) {
             axes.col(axis) *= -1.0;
         }
-        moments[axis] = solver.eigenvalues()[best];
+        moments[axis] = own.values[best];
     }
     axes.col(2) = axes.col(0).cross(axes.col(1));
     return axes;

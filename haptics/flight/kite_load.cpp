@@ -44,7 +44,7 @@ PlateSlopes differentiate(const Compute& compute, const Vector3& flow) noexcept 
     constexpr double kLeast_m_per_s = 1.0e-5;
     const double h = kShare * compute_length(flow) + kLeast_m_per_s;
     PlateSlopes slopes;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (Index axis = 0; axis < 3; ++axis) {
         Vector3 more = flow;
         Vector3 less = flow;
         more[axis] += h;
@@ -76,8 +76,8 @@ void add_slopes(const MotionB& motion, const Vector3& at_B, const PlateSlopes& s
             (row.cross(flow) + row.cross(motion.spin).cross(at_B)).transpose();
     };
     for (int i = 0; i < 3; ++i) {
-        add_row(i, slopes.force.row(i));
-        add_row(i + 3, torque.row(i));
+        add_row(i, slopes.force.row(i).transpose());
+        add_row(i + 3, torque.row(i).transpose());
     }
 }
 

@@ -4,7 +4,6 @@
 #include "haptics/dynamics/rigid_body.h"
 #include "haptics/math/length.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -96,7 +95,7 @@ void KiteLine::add_surroundings(std::size_t i, double dt_s, double share,
         const double damping_Ns_per_m = 2.0 * mass_kg * kGround_rad_per_s;
         force_W.y() += stiffness_N_per_m * depth_m;
         matrix(1, 1) += stiffness_N_per_m;
-        matrix.diagonal().array() += damping_Ns_per_m / dt_s;
+        matrix.diagonal() += Vector3::Constant(damping_Ns_per_m / dt_s);
     }
 }
 
@@ -147,7 +146,7 @@ void KiteLine::sweep(double dt_s, const LineSurroundings& around) noexcept {
         const double share = i == end ? 0.5 : 1.0;
         const Segment& before = segments_[i - 1];
         Matrix3 matrix = before.slope_W;
-        matrix.diagonal().array() += share * mass_kg / (dt_s * dt_s);
+        matrix.diagonal() += Vector3::Constant(share * mass_kg / (dt_s * dt_s));
         Vector3 right = share * mass_kg / dt_s * velocities_W_[i] - before.pull_W;
         if (i < end) {
             matrix += segments_[i].slope_W;

@@ -75,7 +75,7 @@ void step_gusts(const WindSettings& settings, double height_m, double dt_s,
     const GustScale scale = compute_gust_scale(settings, height_m);
     const double past_m =
         dt_s * std::max(compute_mean_wind_m_per_s(settings, height_m), kSlowest_m_per_s);
-    for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Index i = 0; i < 3; ++i) {
         step_filters(past_m / scale.length_m[i], draw_normal(settings.seed, gusts.n_drawn),
                      gusts.first[i], gusts.second[i]);
     }

@@ -27,7 +27,7 @@ std::vector<Centre> find_centres(const TriangleMesh& mesh) {
         for (const std::int32_t corner : mesh.triangles()[i]) {
             sum += mesh.vertices_B()[static_cast<std::size_t>(corner)] - middle;
         }
-        const Eigen::Vector3f centre = (sum * scale).cast<float>();
+        const Vector3f centre = (sum * scale).cast<float>();
         centres[i] = {{centre.x(), centre.y(), centre.z()}, static_cast<std::int32_t>(i)};
     }
     return centres;
@@ -223,7 +223,7 @@ BoundingTree::StepSegment BoundingTree::to_steps(const Vector3& from,
     constexpr double kLargest = 1.0e15;  // a finite stand-in for one over nothing
     StepSegment segment{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         const double rate = (to[i] - from[i]) * grid_.steps_per_m(i);
         segment.start[axis] = static_cast<float>(grid_.to_place(from[i], i));
         segment.inverse_rate[axis] = static_cast<float>(

@@ -10,10 +10,10 @@ HashGrid::HashGrid(const Box& box, double cell_m) : box_(box) {
     const double longest_m = (box.upper - box.lower).maxCoeff();
     cell_m_ = std::max(cell_m, longest_m / (kMaxCells - 2.0));
     // What is put in reaches beyond the box by the margin; the last cell's border shall lie beyond that.
-    box_.lower.array() -= 2.0 * margin_m();
-    box_.upper.array() += 2.0 * margin_m();
+    box_.lower -= Vector3::Constant(2.0 * margin_m());
+    box_.upper += Vector3::Constant(2.0 * margin_m());
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         const double n = std::ceil((box_.upper[i] - box_.lower[i]) / cell_m_);
         n_cells_[axis] = static_cast<std::int32_t>(std::clamp(n, 1.0, kMaxCells));
     }
@@ -23,7 +23,7 @@ HashGrid::HashGrid(const Box& box, double cell_m) : box_(box) {
 HashGrid::Cell HashGrid::find_cell(const Vector3& point) const noexcept {
     Cell cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         const double place = std::floor((point[i] - box_.lower[i]) / cell_m_);
         cell[axis] = static_cast<std::int32_t>(
             std::clamp(place, 0.0, static_cast<double>(n_cells_[axis] - 1)));

@@ -58,7 +58,7 @@ class HashGrid {
     // place each time, so that no rounding adds up on the way.
     [[nodiscard]] double find_border(const Vector3& from, const Vector3& to, const Cell& cell,
                                      std::size_t axis) const noexcept {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         const double border = box_.lower[i] + cell_m_ * (cell[axis] + (to[i] > from[i] ? 1 : 0));
         return to[i] == from[i] ? std::numeric_limits<double>::infinity()
                                 : (border - from[i]) / (to[i] - from[i]);
@@ -87,7 +87,7 @@ void HashGrid::for_each_along(const Vector3& from, const Vector3& to,
         const std::size_t xy = t_next[0] <= t_next[1] ? 0 : 1;
         const std::size_t axis = t_next[xy] <= t_next[2] ? xy : 2;
         const double t_leave = t_next[axis];
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         if (!visit(to_key(cell), t_leave) || t_leave > t_out) {
             return;
         }

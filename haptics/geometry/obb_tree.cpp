@@ -1,6 +1,7 @@
 #include "haptics/geometry/obb_tree.h"
 
-#include <Eigen/Eigenvalues>
+#include "haptics/math/dense.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -45,7 +46,7 @@ struct Moments {
         if (!covariance.allFinite()) {
             return Matrix3::Identity();
         }
-        return Eigen::SelfAdjointEigenSolver<Matrix3>(covariance).eigenvectors().transpose();
+        return compute_symmetric_axes(covariance).axes.transpose();
     }
 };
 
@@ -73,7 +74,7 @@ std::array<Vector3, 3> ObbForest::corners_of(std::int32_t triangle) const {
     }
     middle = 0.5 * (lower + upper);
     Vector3 half = lower.cwiseAbs().cwiseMax(upper.cwiseAbs());
-    half.array() += kRoundings * half.sum();  // a flat box is as thick as rounding
+    half += Vector3::Constant(kRoundings * half.sum());  // a flat box is as thick as rounding
     return half;
 }
 
@@ -86,10 +87,10 @@ OrientedBox ObbForest::fit(std::span<const std::int32_t> triangles) const {
     const Matrix3 axes = moments.find_axes();
     OrientedBox box;
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
+        const auto row = static_cast<Index>(i);
         box.centre[i] = static_cast<float>(origin[row]);
         for (std::size_t k = 0; k < 3; ++k) {
-            box.axes[i][k] = static_cast<float>(axes(row, static_cast<Eigen::Index>(k)));
+            box.axes[i][k] = static_cast<float>(axes(row, static_cast<Index>(k)));
         }
     }
     // About any centre first, to find a better one; the sizes are those about the centre as it is kept.
@@ -97,7 +98,7 @@ OrientedBox ObbForest::fit(std::span<const std::int32_t> triangles) const {
     (void)measure(box, triangles, middle);
     const Vector3 moved = axes.transpose() * middle;
     for (std::size_t i = 0; i < 3; ++i) {
-        box.centre[i] += static_cast<float>(moved[static_cast<Eigen::Index>(i)]);
+        box.centre[i] += static_cast<float>(moved[static_cast<Index>(i)]);
     }
     const Vector3 half = measure(box, triangles, middle);
     box.half_size = {round_up(half.x()), round_up(half.y()), round_up(half.z())};

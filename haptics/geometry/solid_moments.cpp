@@ -1,6 +1,7 @@
 #include "haptics/geometry/solid_moments.h"
 
-#include <Eigen/Eigenvalues>
+#include "haptics/math/dense.h"
+
 #include <cmath>
 
 namespace fulcrum {
@@ -8,7 +9,7 @@ namespace {
 
 // The same axis or its opposite, so that its largest component is above 0.
 Vector3 point_upwards(const Vector3& axis) noexcept {
-    Eigen::Index largest = 0;
+    Index largest = 0;
     axis.cwiseAbs().maxCoeff(&largest);
     return axis[largest] < 0.0 ? Vector3(-axis) : axis;
 }
@@ -50,21 +51,21 @@ PrincipalAxes compute_principal_axes(const Matrix3& tensor) noexcept {
         return {Vector3::Constant(largest), Quaternion::Identity()};
     }
     Matrix3 scaled = 0.5 / largest * (tensor + tensor.transpose());
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        for (Eigen::Index j = 0; j < 3; ++j) {
+    for (Index i = 0; i < 3; ++i) {
+        for (Index j = 0; j < 3; ++j) {
             if (i != j && std::abs(scaled(i, j)) <= kRounding * scaled.trace()) {
                 scaled(i, j) = 0.0;
             }
         }
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix3> solver(scaled);
+    const SymmetricAxes own = compute_symmetric_axes(scaled);
     Matrix3 axes;
-    axes.col(0) = point_upwards(solver.eigenvectors().col(0));
-    axes.col(1) = point_upwards(solver.eigenvectors().col(1));
+    axes.col(0) = point_upwards(own.axes.col(0));
+    axes.col(1) = point_upwards(own.axes.col(1));
     axes.col(2) = axes.col(0).cross(axes.col(1));
     Quaternion orientation(axes);
     orientation.normalize();
-    return {largest * solver.eigenvalues(), orientation};
+    return {largest * own.values, orientation};
 }
 
 }  // namespace fulcrum

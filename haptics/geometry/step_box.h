@@ -23,11 +23,10 @@ struct Box {
     Vector3 upper{Vector3::Zero()};
 
     [[nodiscard]] bool contains(const Vector3& p) const noexcept {
-        return (p.array() >= lower.array()).all() && (p.array() <= upper.array()).all();
+        return all_at_most(lower, p) && all_at_most(p, upper);
     }
     [[nodiscard]] bool overlaps(const Box& other) const noexcept {
-        return (lower.array() <= other.upper.array()).all() &&
-               (upper.array() >= other.lower.array()).all();
+        return all_at_most(lower, other.upper) && all_at_most(other.lower, upper);
     }
     /// What both have in common.
     [[nodiscard]] Box cut_to(const Box& other) const noexcept {
@@ -55,22 +54,20 @@ class StepGrid {
     [[nodiscard]] StepBox to_steps(const Box& box) const noexcept {
         StepBox steps;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto i = static_cast<Eigen::Index>(axis);
+            const auto i = static_cast<Index>(axis);
             steps.lower[axis] = to_step(box.lower[i], i);
             steps.upper[axis] = to_step(box.upper[i], i);
         }
         return steps;
     }
     /// A place between steps, not rounded.
-    [[nodiscard]] double to_place(double coordinate, Eigen::Index axis) const noexcept {
+    [[nodiscard]] double to_place(double coordinate, Index axis) const noexcept {
         return (coordinate - lower_[axis]) * steps_per_m_[axis] - kMiddle;
     }
-    [[nodiscard]] double steps_per_m(Eigen::Index axis) const noexcept {
-        return steps_per_m_[axis];
-    }
+    [[nodiscard]] double steps_per_m(Index axis) const noexcept { return steps_per_m_[axis]; }
 
   private:
-    [[nodiscard]] std::int16_t to_step(double coordinate, Eigen::Index axis) const noexcept {
+    [[nodiscard]] std::int16_t to_step(double coordinate, Index axis) const noexcept {
         const double step = (coordinate - lower_[axis]) * steps_per_m_[axis];
         const double inside = step < 0.0 ? 0.0 : (step > kSteps ? kSteps : step);
         return static_cast<std::int16_t>(static_cast<std::int32_t>(inside) - kMiddle);

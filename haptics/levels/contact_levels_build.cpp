@@ -163,7 +163,7 @@ std::int32_t ContactLevelsBuilder::join_span(std::span<std::int32_t> drafts) {
         lower = lower.cwiseMin(middle_of(draft));
         upper = upper.cwiseMax(middle_of(draft));
     }
-    Eigen::Index axis = 0;
+    Index axis = 0;
     (upper - lower).maxCoeff(&axis);
     std::ranges::sort(drafts, [&](std::int32_t a, std::int32_t b) {
         const double at_a = middle_of(a)[axis];

@@ -1,6 +1,5 @@
 #include "haptics/levels/filtered_collapse.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <tuple>

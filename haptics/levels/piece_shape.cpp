@@ -11,9 +11,9 @@ namespace fulcrum {
 
 namespace {
 
-using FlatPoint = std::pair<Eigen::Vector2d, std::size_t>;
+using FlatPoint = std::pair<Vector2, std::size_t>;
 
-double turn_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+double turn_of(const Vector2& a, const Vector2& b, const Vector2& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
@@ -24,8 +24,8 @@ void add_chain(const Points& points, std::vector<FlatPoint>& hull) {
     const std::size_t bottom = hull.size();
     for (const FlatPoint& point : points) {
         while (hull.size() >= bottom + 2) {
-            const Eigen::Vector2d& a = hull[hull.size() - 2].first;
-            const Eigen::Vector2d& b = hull.back().first;
+            const Vector2& a = hull[hull.size() - 2].first;
+            const Vector2& b = hull.back().first;
             const double size = (b - a).norm() * (point.first - a).norm();
             if (turn_of(a, b, point.first) > kStraight * size) {
                 break;
@@ -105,7 +105,7 @@ std::vector<Vector3> find_flat_hull(const std::vector<Vector3>& points, const Ve
     std::vector<FlatPoint> sorted;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vector3 from = points[i] - points[0];
-        sorted.emplace_back(Eigen::Vector2d(along.dot(from), across.dot(from)), i);
+        sorted.emplace_back(Vector2(along.dot(from), across.dot(from)), i);
     }
     std::ranges::sort(sorted, [](const FlatPoint& a, const FlatPoint& b) {
         return std::tie(a.first.x(), a.first.y(), a.second) <

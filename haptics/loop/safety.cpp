@@ -37,7 +37,7 @@ SafetySettings clamped(const SafetySettings& asked) noexcept {
 
 // `v` shortened to `limit`, its direction kept. The norm of a finite v below kInsaneForce_N cannot
 // overflow.
-Vector3 shortened(const Vector3& v, double limit) noexcept {
+inline Vector3 shortened(const Vector3& v, double limit) noexcept {
     const double length = v.norm();
     return length > limit ? Vector3(v * (limit / length * kBelowLimit)) : v;
 }

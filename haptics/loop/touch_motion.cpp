@@ -72,7 +72,7 @@ void TouchMotion::touch(Solid& solid, const TouchForce& touch, const Pose& pose_
             tap_ = {touch.solid, -away_m_per_s};
         }
     }
-    Eigen::Index view = 0;
+    Index view = 0;
     (turn_BW * touch.normal_W).cwiseAbs().maxCoeff(&view);
     solid.now.view = static_cast<std::size_t>(view);
     solid.now.touched = true;

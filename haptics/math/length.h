@@ -1,8 +1,6 @@
 // A vector's length and direction, right for numbers of any size and the same to the last bit wherever the vector lies.
 //
 //   |v| = s sqrt(sum of (v_i / s)^2)      s = 1, or the largest |v_i| where the squares would leave the range of double
-// Eigen's stableNorm sums in an order that depends on the vector's address, so two runs of a program may differ in the last bit:
-// a record would not replay.
 //
 // Thread: any. Cost: a square root and a comparison; a division more at the ends of the range.
 #pragma once
@@ -25,7 +23,7 @@ inline bool is_plain(double square) noexcept {
 
 // At the ends of the range; apart, so that the rest is small enough to stand where it is needed.
 template <int N>
-[[gnu::noinline, gnu::cold]] double scale_length(const Eigen::Matrix<double, N, 1>& v,
+[[gnu::noinline, gnu::cold]] double scale_length(const Matrix<double, N, 1>& v,
                                                  double square) noexcept {
     const double largest = std::isnan(square) ? square : v.cwiseAbs().maxCoeff();
     return largest > 0.0 && std::isfinite(largest) ? largest * (v / largest).norm() : largest;
@@ -35,7 +33,7 @@ template <int N>
 
 /// The Euclidean length, in the unit of `v`; not a number where a component is none, infinite where one is.
 template <int N>
-[[nodiscard]] inline double compute_length(const Eigen::Matrix<double, N, 1>& v) noexcept {
+[[nodiscard]] inline double compute_length(const Matrix<double, N, 1>& v) noexcept {
     const double square = v.squaredNorm();
     return length_details::is_plain(square) ? std::sqrt(square)
                                             : length_details::scale_length(v, square);
@@ -43,24 +41,22 @@ template <int N>
 
 /// `v`, or where it is longer than `most` its direction with that length.
 template <int N>
-[[nodiscard]] Eigen::Matrix<double, N, 1> shorten(const Eigen::Matrix<double, N, 1>& v,
-                                                  double most) noexcept {
+[[nodiscard]] Matrix<double, N, 1> shorten(const Matrix<double, N, 1>& v, double most) noexcept {
     const double length = v.norm();
-    return length > most ? Eigen::Matrix<double, N, 1>(v * (most / length)) : v;
+    return length > most ? Matrix<double, N, 1>(v * (most / length)) : v;
 }
 
 /// `v` no longer than `most`, of numbers of any size; 0: as long as it is.
 template <int N>
-[[nodiscard]] Eigen::Matrix<double, N, 1> limit_length(const Eigen::Matrix<double, N, 1>& v,
-                                                       double most) noexcept {
+[[nodiscard]] Matrix<double, N, 1> limit_length(const Matrix<double, N, 1>& v,
+                                                double most) noexcept {
     const double length = compute_length(v);
-    return most > 0.0 && length > most ? Eigen::Matrix<double, N, 1>(v * (most / length)) : v;
+    return most > 0.0 && length > most ? Matrix<double, N, 1>(v * (most / length)) : v;
 }
 
 /// Of length 1, to rounding; a vector without length or with an infinite one is given back as it is.
 template <int N>
-[[nodiscard]] Eigen::Matrix<double, N, 1> compute_direction(
-    const Eigen::Matrix<double, N, 1>& v) noexcept {
+[[nodiscard]] Matrix<double, N, 1> compute_direction(const Matrix<double, N, 1>& v) noexcept {
     const double square = v.squaredNorm();
     if (length_details::is_plain(square)) {
         return v / std::sqrt(square);

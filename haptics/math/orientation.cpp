@@ -90,7 +90,7 @@ int orientation_exact(const Vector3& a, const Vector3& b, const Vector3& c,
     std::array<Pair, 3> v;
     std::array<Pair, 3> w;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         u[axis] = two_difference(b[i], a[i]);
         v[axis] = two_difference(c[i], a[i]);
         w[axis] = two_difference(d[i], a[i]);

@@ -2,22 +2,17 @@
 // W world, D device base, T tool, P proxy, B body.
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
+#include "haptics/math/matrix.h"
+#include "haptics/math/quaternion.h"
 
 namespace fulcrum {
-
-using Vector3 = Eigen::Vector3d;
-using Matrix3 = Eigen::Matrix3d;
-/// Unit quaternion without alignment demands, so that messages holding one can lie anywhere.
-using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 /// A rigid pose X_AB: where B's origin lies in A (metres) and how B is turned in A.
 struct Pose {
     Vector3 position{Vector3::Zero()};
     Quaternion orientation{Quaternion::Identity()};
 
-    /// A pose that is moved but not turned. (`Pose{p, {}}` would leave the quaternion unset: Eigen's default is garbage.)
+    /// A pose that is moved but not turned. (`Pose{p, {}}` would leave the quaternion unset.)
     [[nodiscard]] static Pose at(const Vector3& position) {
         return {position, Quaternion::Identity()};
     }

@@ -1,29 +1,45 @@
 #include "haptics/math/spectral_radius.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace fulcrum {
 
-double compute_spectral_radius(const Eigen::MatrixXd& A) {
+double compute_spectral_radius(std::span<const double> A, std::size_t n) {
+    assert(A.size() == n * n);
     constexpr int kSquarings = 40;
-    Eigen::MatrixXd power = A;
-    Eigen::MatrixXd square(A.rows(), A.cols());
+    std::vector<double> power(A.begin(), A.end());
+    std::vector<double> square(n * n);
     double log_radius = 0.0;
     double share = 1.0;
     for (int i = 0; i <= kSquarings; ++i) {
-        const double length =
-            power.size() > 0 ? power.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() : 0.0;
-        if (!std::isfinite(length)) {
-            return std::numeric_limits<double>::infinity();
+        double length = 0.0;
+        for (const double number : power) {
+            if (!std::isfinite(number)) {
+                return std::numeric_limits<double>::infinity();
+            }
+            length = std::max(length, std::abs(number));
         }
         if (length == 0.0) {
             return 0.0;
         }
         log_radius += share * std::log(length);
         share *= 0.5;
-        power /= length;
-        square.noalias() = power * power;
+        for (double& number : power) {
+            number /= length;
+        }
+        std::ranges::fill(square, 0.0);
+        for (std::size_t column = 0; column < n; ++column) {
+            for (std::size_t k = 0; k < n; ++k) {
+                const double by = power[k + column * n];
+                for (std::size_t row = 0; row < n; ++row) {
+                    square[row + column * n] += power[row + k * n] * by;
+                }
+            }
+        }
         power.swap(square);
     }
     return std::exp(log_radius);

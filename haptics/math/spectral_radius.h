@@ -10,11 +10,19 @@
 // Source: I. Gelfand 1941, Normierte Ringe, Mat. Sbornik 9(51).
 #pragma once
 
-#include <Eigen/Core>
+#include "haptics/math/matrix.h"
+
+#include <cstddef>
+#include <span>
 
 namespace fulcrum {
 
-/// Of a square matrix; 0 of one whose power is nothing.
-[[nodiscard]] double compute_spectral_radius(const Eigen::MatrixXd& A);
+/// Of a square matrix of n x n numbers, column after column; 0 of one whose power is nothing.
+[[nodiscard]] double compute_spectral_radius(std::span<const double> A, std::size_t n);
+
+template <int N>
+[[nodiscard]] double compute_spectral_radius(const Matrix<double, N, N>& A) {
+    return compute_spectral_radius(std::span(A.data(), std::size_t{N} * N), std::size_t{N});
+}
 
 }  // namespace fulcrum

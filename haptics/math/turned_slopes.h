@@ -13,8 +13,8 @@ namespace fulcrum {
 /// The derivatives along W, R = R_WB.
 [[nodiscard]] inline Matrix6 compute_turned(const Matrix6& slopes_B, const Matrix3& R) noexcept {
     Matrix6 turned;
-    for (Eigen::Index row = 0; row < 6; row += 3) {
-        for (Eigen::Index column = 0; column < 6; column += 3) {
+    for (Index row = 0; row < 6; row += 3) {
+        for (Index column = 0; column < 6; column += 3) {
             turned.block<3, 3>(row, column) =
                 R * Matrix3(slopes_B.block<3, 3>(row, column)) * R.transpose();
         }

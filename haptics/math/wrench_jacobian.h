@@ -18,9 +18,6 @@
 
 namespace fulcrum {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
 /// A wrench's derivatives; world frame, SI units, 6 x 6 each.
 struct WrenchJacobian {
     Matrix6 pose{Matrix6::Zero()};      ///< by (dx, dtheta)
@@ -84,13 +81,13 @@ inline void add_normal_push(const Vector3& arm_W, const Vector3& spin_W, const V
     Vector6 falls = push.by_depth_N_per_m * along;
     if (push.by_sinking_Ns_per_m != 0.0) {
         falls.tail<3>() += push.by_sinking_Ns_per_m * arm_W.cross(normal_W.cross(spin_W));
-        jacobian.velocity.noalias() -= (push.by_sinking_Ns_per_m * along) * along.transpose();
+        jacobian.velocity -= (push.by_sinking_Ns_per_m * along) * along.transpose();
     }
-    jacobian.pose.noalias() -= along * falls.transpose();
+    jacobian.pose -= along * falls.transpose();
     // [F] [r] = r F^T - (F . r) 1.
     const Vector3 force = push.push_N * normal_W;
-    jacobian.pose.bottomRightCorner<3, 3>().noalias() += arm_W * force.transpose();
-    jacobian.pose.diagonal().tail<3>().array() -= force.dot(arm_W);
+    jacobian.pose.bottomRightCorner<3, 3>() += arm_W * force.transpose();
+    jacobian.pose.diagonal().tail<3>() -= Vector3::Constant(force.dot(arm_W));
 }
 
 }  // namespace fulcrum

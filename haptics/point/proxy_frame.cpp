@@ -23,7 +23,7 @@ bool ProxyFrame::take_pose(const Pose& pose_W) noexcept {
     }
     pose_W_ = pose_W;
     origin_W_ = pose_W.position;
-    turn_WB_ = Eigen::Quaterniond(pose_W.orientation.coeffs() / length).toRotationMatrix();
+    turn_WB_ = Quaternion(pose_W.orientation.coeffs() / length).toRotationMatrix();
     return true;
 }
 

@@ -87,8 +87,8 @@ void visit_list(CheckedSource& source, List& list, const VisitEntry& visit_entry
 
 template <class Visitor, class Matrix>
 void visit_matrix(Visitor& visitor, Matrix& m) {
-    for (Eigen::Index row = 0; row < 3; ++row) {
-        for (Eigen::Index column = 0; column < 3; ++column) {
+    for (Index row = 0; row < 3; ++row) {
+        for (Index column = 0; column < 3; ++column) {
             visitor.field(m(row, column));
         }
     }

@@ -10,7 +10,7 @@ BodyOffset feel_on_body(const Texture& texture, const Vector3& place_B, const Ve
     double normal_m = 0.0;
     Vector3 along_B_m = Vector3::Zero();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double weight = weights[static_cast<Eigen::Index>(axis)];
+        const double weight = weights[static_cast<Index>(axis)];
         if (!(weight > 0.0)) {
             continue;
         }

@@ -18,11 +18,11 @@
 namespace fulcrum {
 
 /// The axes that are u and v in the view along each axis.
-inline constexpr std::array<std::array<Eigen::Index, 2>, 3> kViewAxes{{{2, 1}, {0, 2}, {0, 1}}};
+inline constexpr std::array<std::array<Index, 2>, 3> kViewAxes{{{2, 1}, {0, 2}, {0, 1}}};
 
 /// How much each view counts; their sum is 1. `normal_B` is a unit vector.
 [[nodiscard]] inline Vector3 compute_view_weights(const Vector3& normal_B) noexcept {
-    const Vector3 weights = (normal_B.cwiseAbs().array() - 0.5).max(0.0);
+    const Vector3 weights = (normal_B.cwiseAbs() - Vector3::Constant(0.5)).cwiseMax(0.0);
     return weights / weights.sum();
 }
 

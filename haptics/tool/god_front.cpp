@@ -13,8 +13,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kRounded = 1.0e-9;       // of lengths: more than any rounding here
 constexpr double kFrameError = 2.0e-6;    // of a box's size: its axes are single numbers
 constexpr std::size_t kFrontBlock = 128;  // places
-using Block = Eigen::Array<double, kFrontBlock, 1>;
-constexpr std::size_t kTidied = 256;  // places of two, each time, and parents
+constexpr std::size_t kTidied = 256;      // places of two, each time, and parents
 constexpr std::size_t kTried = 16;
 constexpr int kMostInVain = 6;  // after so many each time twice as many are left out
 // Two trees of 2^31 triangles, a pair waiting at each step down.
@@ -295,7 +294,7 @@ void GodFront::list_used_up(double end_m) noexcept {
             continue;
         }
         // It may have been of one that is due later now.
-        least_m = Eigen::Map<const Block>(due_.data() + begin).minCoeff();
+        least_m = Matrix<double, kFrontBlock, 1>(due_.data() + begin).minCoeff();
         for (std::size_t i = begin; least_m <= end_m && i < begin + kFrontBlock; ++i) {
             if (due_[i] <= end_m) {
                 (void)used_up_.add(static_cast<std::int32_t>(i));

@@ -76,7 +76,7 @@ double GodPair::find_rise_m(const GodNear& near, const NearFeatures& features,
 
 void GodPair::add(const GodContact& contact) noexcept {
     std::uint64_t hash = 0;
-    for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Index i = 0; i < 3; ++i) {
         hash = mix(hash, contact.on_tool_O[i], 4.0 * kSamePlace_m);
         hash = mix(hash, contact.normal_O[i], 4.0 * kSameNormal);
     }

@@ -62,7 +62,7 @@ void add_plane(const Pointshell& shell, const Springs& springs, const Vector3& u
         const Vector3 along = springs.along_normals ? shell.normal_T(i) : u;
         Vector6 J;
         J << along, shell.position_T(i).cross(along);
-        contact += springs.stiffness_N_per_m * J * J.transpose();
+        contact += (springs.stiffness_N_per_m * J) * J.transpose();
         sum_m += height_m;
         n_touching += 1.0;
         std::pop_heap(heights.begin(), heights.end());
@@ -74,7 +74,7 @@ std::vector<Vector3> list_axes(const Pointshell& shell) {
     std::vector<Vector3> axes;
     // Faces, edges and corners of a cube, one of each two that are opposite.
     for (int code = 14; code < 27; ++code) {
-        const Eigen::Vector3i cell(code / 9, code / 3 % 3, code % 3);
+        const Vector3i cell(code / 9, code / 3 % 3, code % 3);
         axes.push_back((cell.cast<double>() - Vector3::Ones()).normalized());
     }
     const std::size_t stride = std::max<std::size_t>(shell.size() / kNormals, 1);
@@ -86,20 +86,22 @@ std::vector<Vector3> list_axes(const Pointshell& shell) {
 
 // Stiffness or damping of the coupling, about the centre of mass.
 Matrix6 put_at_grip(const Vector3& grip_T, double shift, const Vector3& turn) {
-    Eigen::Matrix<double, 3, 6> J;
+    Matrix<double, 3, 6> J;
     J << Matrix3::Identity(), -compute_skew(grip_T);
     Matrix6 matrix = shift * J.transpose() * J;
     matrix.bottomRightCorner<3, 3>().diagonal() += turn;
     return matrix;
 }
 
+using Matrix12 = Matrix<double, 12, 12>;
+
 // A of the header for (x, h v), which are of one size; K and C are over the masses.
-Eigen::MatrixXd compute_step(const IntegratorSettings& settings, const Matrix6& K, const Matrix6& C,
-                             double h) {
+Matrix12 compute_step(const IntegratorSettings& settings, const Matrix6& K, const Matrix6& C,
+                      double h) {
     const Matrix6 one = Matrix6::Identity();
     const Matrix6 pull = h * h * K;
     const Matrix6 drag = h * C;
-    Eigen::MatrixXd A(12, 12);
+    Matrix12 A;
     switch (settings.integrator) {
         case Integrator::semi_implicit_euler:
             A << one - pull, one - drag, -pull, one - drag;
@@ -118,8 +120,8 @@ Eigen::MatrixXd compute_step(const IntegratorSettings& settings, const Matrix6& 
         case Integrator::backward_euler:
             break;
     }
-    const Eigen::MatrixXd whole = Eigen::MatrixXd::Identity(12, 12);
-    Eigen::MatrixXd rate(12, 12);  // h L
+    const Matrix12 whole = Matrix12::Identity();
+    Matrix12 rate;  // h L
     rate << Matrix6::Zero(), one, -pull, -drag;
     if (settings.integrator == Integrator::explicit_euler) {
         return whole + rate;
@@ -158,7 +160,7 @@ double StepLimit::compute_growth(const VoxelToolSettings& settings, double dt_s)
     over_root << Vector3::Constant(1.0 / std::sqrt(inertia.mass_kg)),
         inertia.moments_kg_m2.cwiseSqrt().cwiseInverse();
     const auto over_masses = [&](const Matrix6& matrix) -> Matrix6 {
-        return over_root.asDiagonal() * matrix * over_root.asDiagonal();
+        return matrix.cwiseProduct(over_root * over_root.transpose());
     };
     const Matrix6 held =
         over_masses(put_at_grip(settings.grip_T, coupling.shift.stiffness_N_per_m,

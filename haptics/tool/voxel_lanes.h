@@ -297,9 +297,9 @@ inline void add_push_slopes(const Motion& motion, const Eight& eight, LaneSlopes
 }
 
 inline void add_lanes(const LaneSlopes& lanes, Sums& sums) {
-    for (Eigen::Index row = 0; row < 6; ++row) {
+    for (Index row = 0; row < 6; ++row) {
         const auto i = static_cast<std::size_t>(row);
-        for (Eigen::Index column = 0; column < 6; ++column) {
+        for (Index column = 0; column < 6; ++column) {
             sums.push_by_pose(row, column) +=
                 add_lanes(lanes.push[i][static_cast<std::size_t>(column)]);
         }

@@ -136,7 +136,7 @@ voxel_lanes::Motion VoxelSampling::compute_motion(const RigidState& state,
     const Pose X_OT = object.pose_W.inverse() * state.pose_W;
     const Matrix3 R = X_OT.orientation.toRotationMatrix();
     for (std::size_t row = 0; row < 3; ++row) {
-        const auto i = static_cast<Eigen::Index>(row);
+        const auto i = static_cast<Index>(row);
         motion.turn[row] = to_floats(R.row(i).transpose());
         motion.last[row] = static_cast<float>(frame_.n_cells[row]) - 0.5F;
     }
@@ -160,7 +160,8 @@ bool VoxelSampling::is_far(const RigidState& state, const MovingFrame& object) c
         frame_.to_lattice(object.pose_W.inverse() * Vector3(state.pose_W.position));
     const double reach = reach_m_ / frame_.voxel_m + 1.0;
     const Vector3 n(frame_.n_cells[0], frame_.n_cells[1], frame_.n_cells[2]);
-    return (middle.array() < -reach).any() || (middle.array() > n.array() + reach).any();
+    return !(all_at_most(Vector3::Constant(-reach), middle) &&
+             all_at_most(middle, n + Vector3::Constant(reach)));
 }
 
 template <bool kLinear>
@@ -188,8 +189,7 @@ VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFram
     const Wrench brakes = to_wrench(sums.brake, braking_Ns_per_m * s, s, R_WT);
     if constexpr (kLinear) {
         Matrix6 pushed = share.share * sums.push_by_pose;
-        pushed += share.by_fullness * Eigen::Map<const Vector6>(sums.push.data()) *
-                  sums.fullness_by_pose.transpose();
+        pushed += share.by_fullness * Vector6(sums.push.data()) * sums.fullness_by_pose.transpose();
         springs_by->pose += to_slopes(pushed, spring_N, s, R_WT);
         add_turning(springs, springs_by->pose);  // everything but d turns with the tool
         const double slope_N = s * limit_for_slopes(braking_Ns_per_m, settings_, sums.n_proximity);

@@ -1,10 +1,10 @@
 #include "haptics/tool/voxel_tool.h"
 
+#include "haptics/math/dense.h"
 #include "haptics/math/length.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/objects_load.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 namespace fulcrum {
@@ -297,7 +297,7 @@ bool SampledTool<Sampling, Plan>::settle(const Load& coupling, const Load& point
         force << wrench.force, wrench.torque;
         Matrix6 matrix = -jacobian.pose;
         matrix.diagonal() += slack;
-        const Vector6 change = matrix.partialPivLu().solve(force);
+        const Vector6 change = solve_lu(matrix, force);
         if (!change.allFinite()) {
             return true;
         }

@@ -26,7 +26,7 @@ Vector3 place_of(std::int16_t corner) noexcept {
     const int x = corner % kBrickSide;
     const int y = corner / kBrickSide % kBrickSide;
     const int z = corner / (kBrickSide * kBrickSide);
-    return Eigen::Vector3i(x, y, z).cast<double>();
+    return Vector3i(x, y, z).cast<double>();
 }
 
 }  // namespace

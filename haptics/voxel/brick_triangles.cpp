@@ -22,8 +22,8 @@ struct Bricks {
     // Calls visit(index) for each that may have a corner within reach of the triangle.
     template <class Visit>
     void for_each_near(const TriangleAt& t, double reach, Visit&& visit) const {
-        const Vector3 lower = t.a.cwiseMin(t.b).cwiseMin(t.c).array() - reach;
-        const Vector3 upper = t.a.cwiseMax(t.b).cwiseMax(t.c).array() + reach;
+        const Vector3 lower = t.a.cwiseMin(t.b).cwiseMin(t.c) - Vector3::Constant(reach);
+        const Vector3 upper = t.a.cwiseMax(t.b).cwiseMax(t.c) + Vector3::Constant(reach);
         std::array<std::int32_t, 3> first{};
         std::array<std::int32_t, 3> last{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -37,7 +37,7 @@ struct Bricks {
             for (std::int32_t y = first[1]; y <= last[1]; ++y) {
                 for (std::int32_t x = first[0]; x <= last[0]; ++x) {
                     const Vector3 centre =
-                        kBrickCells * (Eigen::Vector3i(x, y, z).cast<double>().array() + 0.5);
+                        kBrickCells * (Vector3i(x, y, z).cast<double>() + Vector3::Constant(0.5));
                     if (compute_square_distance(centre, t) <= to_centre * to_centre) {
                         visit(x + n[0] * (y + n[1] * z));
                     }

@@ -29,7 +29,7 @@ Cell to_brick(std::size_t index, const std::array<std::int32_t, 3>& n) {
 }
 
 Vector3 to_vector(const Cell& cell) {
-    return Eigen::Vector3i(cell[0], cell[1], cell[2]).cast<double>();
+    return Vector3i(cell[0], cell[1], cell[2]).cast<double>();
 }
 
 // Largest |F| difference over a cell's four edges along each axis bounds the slope's components.
@@ -123,7 +123,7 @@ class DistanceFieldBuilder {
     }
     // In voxels of the block.
     [[nodiscard]] static Vector3 centre_of(const Cell& brick) noexcept {
-        return kBrickCells * (to_vector(brick).array() + 0.5);
+        return kBrickCells * (to_vector(brick) + Vector3::Constant(0.5));
     }
     [[nodiscard]] Vector3 to_object(const Vector3& lattice) const noexcept {
         return field_.frame_.lower_O + field_.frame_.voxel_m * lattice;
@@ -309,7 +309,7 @@ void DistanceFieldBuilder::fill_entries(const Cell& first) noexcept {
     const Cell end{std::min(first[0] + 2, n_[0]), std::min(first[1] + 2, n_[1]),
                    std::min(first[2] + 2, n_[2])};
     constexpr double kFar = 60.0;  // voxels; the bricks' centres are a tenth of it away
-    const Vector3 middle = kBrickCells * (to_vector(first).array() + 1.0);
+    const Vector3 middle = kBrickCells * (to_vector(first) + Vector3::Ones());
     const double voxels =
         is_sheet() || field_.counts_.n_open_edges == 0 ? find_size(middle, false, kSlack) : 0.0;
     const bool are_alike = voxels >= kFar;

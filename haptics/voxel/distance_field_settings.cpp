@@ -24,8 +24,8 @@ Expected<void> validate(const VoxelFrame& frame, const TriangleMesh& mesh, doubl
                     "give its frame a voxel above 0 and a finite corner");
     }
     const double margin_m = (band_voxels + kOutermost) * frame.voxel_m;
-    const bool fits = ((mesh.lower_B() - frame.lower_O).array() >= margin_m).all() &&
-                      ((frame.upper_O() - mesh.upper_B()).array() >= margin_m).all();
+    const bool fits = all_at_most(Vector3::Constant(margin_m), mesh.lower_B() - frame.lower_O) &&
+                      all_at_most(Vector3::Constant(margin_m), frame.upper_O() - mesh.upper_B());
     if (!fits) {
         return fail("the block of the distance field ends less than " + std::to_string(margin_m) +
                         " m from the mesh",

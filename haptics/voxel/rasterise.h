@@ -43,7 +43,7 @@ void for_each_cell(const CellRange& range, Visit&& visit) {
     const Vector3 low = frame.to_lattice(lower_O);
     const Vector3 high = frame.to_lattice(upper_O);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         const double n = frame.n_cells[axis];
         // A face that lies on the lattice belongs to the voxels on both its sides.
         const double first = std::clamp(std::ceil(low[i] - 1.0e-6) - 1.0, 0.0, n);

@@ -43,8 +43,8 @@ template <class Walker, class Moments>
 void walk_moments(Walker& walker, Moments& moments) {
     walker.field(moments.volume_m3);
     walk_vector(walker, moments.centre_B);
-    for (Eigen::Index row = 0; row < 3; ++row) {
-        for (Eigen::Index column = 0; column < 3; ++column) {
+    for (Index row = 0; row < 3; ++row) {
+        for (Index column = 0; column < 3; ++column) {
             walker.field(moments.second_m5(row, column));
         }
     }

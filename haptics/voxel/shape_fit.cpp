@@ -10,8 +10,8 @@ constexpr double kFitRounding = 1.0e-9;
 constexpr double kSingle = 1.0e-6;  // of a coordinate in single precision
 
 bool is_in_box(const TriangleMesh& mesh, const Vector3& p, double beyond_m) noexcept {
-    return ((p - mesh.lower_B()).array() >= -beyond_m).all() &&
-           ((p - mesh.upper_B()).array() <= beyond_m).all();
+    return all_at_most(mesh.lower_B() - Vector3::Constant(beyond_m), p) &&
+           all_at_most(p, mesh.upper_B() + Vector3::Constant(beyond_m));
 }
 
 // Whether of each of some corners of triangles, spread over all of them.
@@ -92,13 +92,13 @@ bool can_be_of(const MeasuredSolid& solid, const TriangleMesh& mesh) noexcept {
     // A sample stands for a cube of up to a twelfth of the longest side; those at the rim reach beyond the box.
     constexpr double kRim = 1.0 / 12.0;
     constexpr double kLeastShare = 1.0e-4;  // of the longest side's cube
-    const Vector3 edges = size_m.array() + kRim * longest_m;
+    const Vector3 edges = size_m + Vector3::Constant(kRim * longest_m);
     const double volume_m3 = moments.volume_m3;
     if (volume_m3 < kLeastShare * longest_m * longest_m * longest_m || volume_m3 > edges.prod() ||
         !is_in_box(mesh, moments.centre_B, kRim * longest_m)) {
         return false;
     }
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (Index axis = 0; axis < 3; ++axis) {
         const double second_m5 = moments.second_m5(axis, axis);
         const double thinnest_m = volume_m3 * edges[axis] / edges.prod();
         // A single layer of places has no spread.

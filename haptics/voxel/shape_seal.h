@@ -30,7 +30,7 @@ inline constexpr double kLargest_m = TriangleMesh::kLargestCoordinate_m;
 
 template <class Walker, class V>
 void walk_vector(Walker& walker, V& vector) {
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (Index axis = 0; axis < 3; ++axis) {
         walker.field(vector[axis]);
     }
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr float kNoBall = -1.0e30F;
 constexpr std::size_t kThreads = 2;
 
-Eigen::Vector3f place_of(const Pointshell& shell, std::int32_t i) {
+Vector3f place_of(const Pointshell& shell, std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     return {shell.x_m[at], shell.y_m[at], shell.z_m[at]};
 }
@@ -83,8 +83,8 @@ void ShellTree::put_in_order(const Pointshell& shell) {
         if (n <= kLeafPoints) {
             continue;
         }
-        Eigen::Vector3f lower = place_of(shell, *first);
-        Eigen::Vector3f upper = lower;
+        Vector3f lower = place_of(shell, *first);
+        Vector3f upper = lower;
         for (At i = first; i != end; ++i) {
             lower = lower.cwiseMin(place_of(shell, *i));
             upper = upper.cwiseMax(place_of(shell, *i));

@@ -199,7 +199,7 @@ Expected<VoxelFrame> make_voxel_frame(const TriangleMesh& mesh, const VoxeliseSe
     frame.voxel_m = settings.voxel_m;
     Vector3 inner;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = static_cast<Index>(axis);
         // A side that is whole voxels long, to rounding, gets one more, so that it ends inside and not on a face.
         const double side = (mesh.upper_B()[i] - mesh.lower_B()[i]) / settings.voxel_m;
         const double needed = std::floor(side + 1.0e-6) + 1.0 + 2.0 * margin;

@@ -47,16 +47,16 @@ void KeyHand::take(WindowEvents& events, bool types, const PictureSize& size, do
     const auto along = [&](Way less, Way more) {
         return (held_[more] ? 1.0 : 0.0) - (held_[less] ? 1.0 : 0.0);
     };
-    const Eigen::Vector2d way(along(left, right), along(up, down));
+    const Vector2 way(along(left, right), along(up, down));
     if (way.isZero()) {
         speed_ = 0.0;
     } else {
-        const Eigen::Vector2d from =
-            pointer_px_.value_or(Eigen::Vector2d(events.pointer_x_px, events.pointer_y_px));
+        const Vector2 from =
+            pointer_px_.value_or(Vector2(events.pointer_x_px, events.pointer_y_px));
         const double step = step_px(size, dt_s);
         speed_ = speed_ > 0.0 ? std::min(speed_ + settings_.growth * dt_s, settings_.quick)
                               : settings_.slow;
-        const Eigen::Vector2d most(std::max(size.width_px, 1), std::max(size.height_px, 1));
+        const Vector2 most(std::max(size.width_px, 1), std::max(size.height_px, 1));
         pointer_px_ = (from + step * way.normalized()).cwiseMax(0.0).cwiseMin(most);
     }
     if (pointer_px_) {

@@ -10,9 +10,9 @@
 // Thread: that of the window.  Cost: a few comparisons a frame.
 #pragma once
 
+#include "haptics/math/matrix.h"
 #include "runtime/render/glfw/window.h"
 
-#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -56,7 +56,7 @@ class KeyHand {
     Keys keys_ = kOfLeftHand;
     std::array<bool, n_ways> held_{};
     double speed_ = 0.0;  // heights a second; 0: at rest
-    std::optional<Eigen::Vector2d> pointer_px_;
+    std::optional<Vector2> pointer_px_;
 };
 
 }  // namespace fulcrum::runtime

@@ -134,8 +134,7 @@ void LessonInput::take_pointer_keys(WindowEvents& events, const PictureSize& siz
         const Camera camera(lesson.camera, size.width_px, size.height_px);
         const auto seen = camera.project(*hand == 0 ? lesson.hand.centre_W
                                                     : lesson.more_hands[*hand - 1].centre_W);
-        keys_px_ =
-            seen ? seen->position_px : Eigen::Vector2d(0.5 * size.width_px, 0.5 * size.height_px);
+        keys_px_ = seen ? seen->position_px : Vector2(0.5 * size.width_px, 0.5 * size.height_px);
         keys_began_px_ = keys_px_;
         keys_wheel_m_ = 0.0;
     }

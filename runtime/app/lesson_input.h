@@ -66,9 +66,9 @@ class LessonInput {
     [[nodiscard]] const std::vector<AnswerChoice>& choices() const { return choices_; }
     [[nodiscard]] int chosen() const { return chosen_; }
     /// Where the pointer is, in pixels, moved by keys too.
-    [[nodiscard]] const Eigen::Vector2d& pointer_px() const { return pointer_px_; }
+    [[nodiscard]] const Vector2& pointer_px() const { return pointer_px_; }
     /// The same of the pointer that keys move by themselves, where a hand is theirs.
-    [[nodiscard]] const Eigen::Vector2d& keys_px() const { return keys_px_; }
+    [[nodiscard]] const Vector2& keys_px() const { return keys_px_; }
     /// How far behind the camera's target the pointer's plane is: without the wheel it goes through the middle of the hand's room.
     [[nodiscard]] double depth_m(const Camera& camera) const {
         return depth_m(camera, 0, wheel_m_);
@@ -98,10 +98,10 @@ class LessonInput {
     bool asking_ = false;  // the learner has opened the line to ask something
     FrameInput frame_{};
     double wheel_m_ = 0.0;
-    Eigen::Vector2d pointer_px_{Eigen::Vector2d::Zero()};
+    Vector2 pointer_px_{Vector2::Zero()};
     // Of a hand that keys alone move.
-    std::optional<Eigen::Vector2d> keys_began_px_;
-    Eigen::Vector2d keys_px_{Eigen::Vector2d::Zero()};
+    std::optional<Vector2> keys_began_px_;
+    Vector2 keys_px_{Vector2::Zero()};
     double keys_wheel_m_ = 0.0;
     bool keys_press_ = false;
     bool swallows_click_ = false;  // until the button that picked something goes up

@@ -105,7 +105,7 @@ void SimulatedDesk::hold(const std::string& key, bool down, WindowEvents& events
 }
 
 // Each key is held while its next step does not go beyond.
-void SimulatedDesk::steer(const Eigen::Vector2d& away_px, double step_px, WindowEvents& events) {
+void SimulatedDesk::steer(const Vector2& away_px, double step_px, WindowEvents& events) {
     const auto far = [&](double px) { return px > std::max(kNearEnough_px, 0.5 * step_px); };
     hold("d", far(away_px.x()), events);
     hold("a", far(-away_px.x()), events);
@@ -135,7 +135,7 @@ void SimulatedDesk::move(const HandWish& wish, double dt_s, WindowEvents& events
     }
     const bool types = run_.session().hud().question_open;
     if (by_ == PlayedBy::mouse) {
-        const Eigen::Vector2d before_px = pointer_px_;
+        const Vector2 before_px = pointer_px_;
         pointer_px_ = {std::round(seen->position_px.x()), std::round(seen->position_px.y())};
         events.pointer_moved = pointer_px_ != before_px;
         events.button_down = {(wish.buttons & 1U) != 0, (wish.buttons & 2U) != 0, false};

@@ -36,7 +36,7 @@ class SimulatedDesk {
   private:
     void move(const HandWish& wish, double dt_s, WindowEvents& events);
     void move_by_keys(const HandWish& wish, double dt_s, WindowEvents& events);
-    void steer(const Eigen::Vector2d& away_px, double step_px, WindowEvents& events);
+    void steer(const Vector2& away_px, double step_px, WindowEvents& events);
     void hold(const std::string& key, bool down, WindowEvents& events);
     void press(const std::string& key) { presses_.push_back({.key = key}); }
     void type(const std::string& text);
@@ -46,7 +46,7 @@ class SimulatedDesk {
     LessonRun& run_;
     PlayedBy by_;
     LessonInput input_;
-    Eigen::Vector2d pointer_px_;
+    Vector2 pointer_px_;
     std::deque<KeyPress> presses_;  // one a frame
     std::set<std::string> held_;
     bool choosing_ = false;  // the choices have been asked for

@@ -40,8 +40,8 @@ void add_bar(std::string_view model, const Vector3& from_W, const Vector3& to_W,
     }
     ViewBody bar;
     bar.model = model;
-    bar.pose_W = {from_W, Quaternion(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitY(),
-                                                                        compute_direction(way)))};
+    bar.pose_W = {from_W,
+                  Quaternion(Quaternion::FromTwoVectors(Vector3::UnitY(), compute_direction(way)))};
     bar.scale = {radius_m, length_m, radius_m};
     bar.marked = false;
     view.bodies.push_back(std::move(bar));

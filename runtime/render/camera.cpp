@@ -74,20 +74,20 @@ Vector3 Camera::unproject(const ScreenPoint& point) const {
            scale * (point.position_px.y() - centre_y_px_) * up_W_;
 }
 
-Ray Camera::ray(const Eigen::Vector2d& position_px) const {
+Ray Camera::ray(const Vector2& position_px) const {
     return {eye_W_, (unproject({position_px, 1.0}) - eye_W_).normalized()};
 }
 
-Eigen::Matrix4f Camera::clip_from_world() const {
+Matrix4f Camera::clip_from_world() const {
     const double near_m = kNearPlane * distance_m();
     const double far_m = kFarPlane * distance_m();
-    Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+    Matrix4 view = Matrix4::Identity();
     view.block<1, 3>(0, 0) = right_W_.transpose();
     view.block<1, 3>(1, 0) = up_W_.transpose();
     view.block<1, 3>(2, 0) = -forward_W_.transpose();
     view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * eye_W_;
 
-    Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
+    Matrix4 clip = Matrix4::Zero();
     clip(0, 0) = focal_px_ / (0.5 * width_px_);
     clip(1, 1) = focal_px_ / (0.5 * height_px_);
     clip(1, 2) = 2.0 * centre_y_px_ / height_px_ - 1.0;
@@ -104,7 +104,7 @@ Vector3 pointer_plane_normal(const Camera& camera) {
     return level.norm() > kSteep ? Vector3(level.normalized()) : forward;
 }
 
-std::optional<Vector3> pointer_on_plane(const Camera& camera, const Eigen::Vector2d& position_px,
+std::optional<Vector3> pointer_on_plane(const Camera& camera, const Vector2& position_px,
                                         double wheel_m) {
     const Vector3 normal = pointer_plane_normal(camera);
     const Vector3 on_plane = camera.target_W() + wheel_m * normal;

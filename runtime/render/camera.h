@@ -14,7 +14,6 @@
 #include "haptics/math/spatial.h"
 #include "runtime/scene/description.h"
 
-#include <Eigen/Core>
 #include <optional>
 
 namespace fulcrum::runtime {
@@ -24,7 +23,7 @@ inline constexpr double kTargetHeight = 0.43;
 
 /// A place on the screen and how far into the picture it lies.
 struct ScreenPoint {
-    Eigen::Vector2d position_px{Eigen::Vector2d::Zero()};
+    Vector2 position_px{Vector2::Zero()};
     double depth_m = 0.0;  ///< along the viewing direction, > 0
 };
 
@@ -49,10 +48,10 @@ class Camera {
     /// The point seen at a place of the screen at a depth; inverse of `project`.
     [[nodiscard]] Vector3 unproject(const ScreenPoint& point) const;
     /// From the eye through a place of the screen.
-    [[nodiscard]] Ray ray(const Eigen::Vector2d& position_px) const;
+    [[nodiscard]] Ray ray(const Vector2& position_px) const;
 
     /// World to clip space, as OpenGL has it (-w <= z <= w).
-    [[nodiscard]] Eigen::Matrix4f clip_from_world() const;
+    [[nodiscard]] Matrix4f clip_from_world() const;
 
     [[nodiscard]] const Vector3& eye_W() const { return eye_W_; }
     [[nodiscard]] const Vector3& target_W() const { return target_W_; }
@@ -82,7 +81,6 @@ class Camera {
 /// the camera (when looking steeply down or up, the plane across the view), moved `wheel_m` away
 /// from the eye. Nothing when the pointer's ray runs along the plane or away from it.
 [[nodiscard]] std::optional<Vector3> pointer_on_plane(const Camera& camera,
-                                                      const Eigen::Vector2d& position_px,
-                                                      double wheel_m);
+                                                      const Vector2& position_px, double wheel_m);
 
 }  // namespace fulcrum::runtime

@@ -35,7 +35,7 @@ Vector3 size_of(const TriangleMesh& mesh) {
 }
 
 double count_voxels(const Vector3& size_m, double voxel_m) {
-    return ((size_m / voxel_m).array() + kMarginCells).prod();
+    return (size_m / voxel_m + Vector3::Constant(kMarginCells)).prod();
 }
 
 // The least voxel from `finest_m` on with which `fits(voxel)` is true; it is for a body's own length.

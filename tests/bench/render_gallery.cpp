@@ -27,13 +27,13 @@ ViewBody body(const std::string& model, const Vector3& position_W, double turn_r
     result.model = model;
     result.pose_W.position = position_W;
     result.pose_W.orientation =
-        Quaternion(Eigen::AngleAxisd(turn_rad, Vector3(0.2, 1.0, 0.3).normalized()));
+        Quaternion(AngleAxis(turn_rad, Vector3(0.2, 1.0, 0.3).normalized()));
     return result;
 }
 
 /// Falling fruit, the bucket, a force and the arm's true pose.
-View falling() {
-    View view;
+runtime::View falling() {
+    runtime::View view;
     view.camera.eye_W = Vector3(0.0, 1.0, 1.95);
     view.camera.target_W = Vector3(0.0, 0.45, 0.0);
     view.title = "Which fruit is the heaviest?";
@@ -60,8 +60,8 @@ View falling() {
     return view;
 }
 
-View question() {
-    View view = falling();
+runtime::View question() {
+    runtime::View view = falling();
     view.bodies.resize(3);
     view.bodies.push_back(body("watermelon", {-0.42, 0.09, 0.0}, 0.4));
     view.bodies.back().label = "watermelon";
@@ -78,8 +78,8 @@ View question() {
     return view;
 }
 
-View recast() {
-    View view = question();
+runtime::View recast() {
+    runtime::View view = question();
     view.bodies[3].highlight = 1.0;
     view.feedback = "Yes. A watermelon is *the heaviest*.";
     view.caption = "Now say the whole sentence again.";
@@ -88,8 +88,8 @@ View recast() {
     return view;
 }
 
-View wrong() {
-    View view = falling();
+runtime::View wrong() {
+    runtime::View view = falling();
     view.bodies.resize(5);
     view.feedback = "Feel both again: which one pulls *harder* on your hand?";
     view.caption =
@@ -98,8 +98,8 @@ View wrong() {
     return view;
 }
 
-View broken() {
-    View view = falling();
+runtime::View broken() {
+    runtime::View view = falling();
     view.caption.clear();
     view.banner_is_error = true;
     view.banner =
@@ -108,14 +108,14 @@ View broken() {
     return view;
 }
 
-View notice() {
-    View view = falling();
+runtime::View notice() {
+    runtime::View view = falling();
     view.banner = "The arm is not plugged in, so the mouse moves the bucket.";
     return view;
 }
 
-View finished() {
-    View view = question();
+runtime::View finished() {
+    runtime::View view = question();
     view.input_visible = false;
     view.stars = 2;
     view.feedback = "Well done! You made *comparisons* with six words.";
@@ -123,7 +123,7 @@ View finished() {
     return view;
 }
 
-View menu(int lessons, int selected) {
+runtime::View menu(int lessons, int selected) {
     const std::vector<ViewMenuItem> all{
         {"Which fruit is the heaviest?", "A1 · 15 minutes", "watermelon"},
         {"Rough or smooth?", "A1 · 10 minutes", "plank"},
@@ -136,7 +136,7 @@ View menu(int lessons, int selected) {
          "apple"},
         {"Nine", "A1", "banana"},
     };
-    View view;
+    runtime::View view;
     view.title = "What shall we play?";
     view.caption = "Choose with the arrow keys, then press Enter.";
     view.menu.assign(all.begin(), all.begin() + lessons);
@@ -160,7 +160,8 @@ void load_models(Renderer& renderer, const std::filesystem::path& folder) {
 }
 
 /// Times frames after a warm-up and prints a line of CSV.
-void measure(const std::string& name, const View& view, Renderer& renderer, Offscreen& screen) {
+void measure(const std::string& name, const runtime::View& view, Renderer& renderer,
+             Offscreen& screen) {
     constexpr int kWarmUp = 5;
     constexpr int kFrames = 20;
     std::vector<double> times_ms;
@@ -201,12 +202,12 @@ int run(const std::filesystem::path& folder, const std::filesystem::path& models
     load_models(**renderer, models);
     std::filesystem::create_directories(folder);
 
-    View bright = falling();
-    const std::vector<std::pair<std::string, View>> views{
+    runtime::View bright = falling();
+    const std::vector<std::pair<std::string, runtime::View>> views{
         {"falling", bright},      {"question", question()}, {"recast", recast()},
         {"wrong", wrong()},       {"error", broken()},      {"notice", notice()},
         {"finished", finished()}, {"menu1", menu(1, 0)},    {"menu3", menu(3, 1)},
-        {"menu7", menu(7, 4)},    {"menu9", menu(9, 7)},    {"empty", View{}}};
+        {"menu7", menu(7, 4)},    {"menu9", menu(9, 7)},    {"empty", runtime::View{}}};
     std::printf("view,width,height,median_ms,p90_ms,frames_per_s,processor_ms\n");
     for (const auto& [name, view] : views) {
         measure(name, view, **renderer, **screen);

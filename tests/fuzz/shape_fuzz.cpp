@@ -49,7 +49,7 @@ void ask(const fulcrum::DistanceField& field) {
         (void)field.find_free_radius_m(p);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             leaf[axis][static_cast<std::size_t>(i)] =
-                static_cast<float>(p[static_cast<Eigen::Index>(axis)]);
+                static_cast<float>(p[static_cast<fulcrum::Index>(axis)]);
         }
     }
     const fulcrum::ShellPoints points{leaf[0].data(), leaf[1].data(), leaf[2].data(),

@@ -83,8 +83,7 @@ TEST_CASE(
     const double torque_Nm = 2.0 * held.pose_D.position.x();
     CHECK(torque_Nm > 0.05);
     CHECK(held.applied_W.torque.y() == Approx(torque_Nm).margin(1e-3));
-    CHECK(Eigen::AngleAxisd(held.pose_D.orientation).angle() ==
-          Approx(torque_Nm / 3.0).margin(1e-3));
+    CHECK(AngleAxis(held.pose_D.orientation).angle() == Approx(torque_Nm / 3.0).margin(1e-3));
     // While moving the linearisation keeps the 1 kHz force on the law, though Lua runs at 60 Hz.
     for (const RecordSample& sample : record.samples) {
         if (sample.time_s > 3.0) {

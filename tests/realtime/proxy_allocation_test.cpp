@@ -48,7 +48,7 @@ std::uint64_t count_in_proxy(const ProxySettings& settings, const SolidShape& sh
     std::array<Pose, 2> poses;
     return count_allocations([&] {
         for (int k = 0; k < 2000; ++k) {
-            const Quaternion turn(Eigen::AngleAxisd(0.001 * k, Vector3(0.6, 0.0, 0.8)));
+            const Quaternion turn(AngleAxis(0.001 * k, Vector3(0.6, 0.0, 0.8)));
             poses[0] = {Vector3(-0.09, 0.01 * std::sin(0.01 * k), 0.0), turn};
             poses[1] = {Vector3(0.09, 0.0, 0.01 * std::sin(0.007 * k)), Quaternion::Identity()};
             const Vector3 hand(0.12 * std::sin(0.011 * k), 0.14 + 0.16 * std::cos(0.005 * k),

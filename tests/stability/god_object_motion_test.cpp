@@ -117,7 +117,7 @@ TEST_CASE("god object: triangle soups neither crash it nor make it move away fro
             vertices.emplace_back(random.vector());
             if (i % 3 == 0) {
                 vertices.back() =
-                    vertices.back().array().round();  // coplanar, coincident and crossing ones
+                    vertices.back().cwiseRound();  // coplanar, coincident and crossing ones
             }
         }
         for (int i = 0; i < 400; ++i) {

@@ -12,7 +12,7 @@ namespace fulcrum {
 inline double find_adding_error(const Load& load, const RigidState& state, double time_s = 0.0) {
     const auto entries_of = [](const Wrench& plain, const Wrench& linearised,
                                const WrenchJacobian& jacobian) {
-        Eigen::Matrix<double, 6, 14> all;
+        Matrix<double, 6, 14> all;
         all << (Vector6() << plain.force, plain.torque).finished(),
             (Vector6() << linearised.force, linearised.torque).finished(), jacobian.pose,
             jacobian.velocity;

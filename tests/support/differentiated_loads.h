@@ -5,6 +5,7 @@
 #include "haptics/coupling/tool_coupling.h"
 #include "haptics/dynamics/loads.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>

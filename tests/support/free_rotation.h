@@ -86,7 +86,7 @@ class FreeRotation {
 
   private:
     static Quaternion about(const Vector3& axis, double angle_rad) {
-        return Quaternion(Eigen::AngleAxisd(angle_rad, axis));
+        return Quaternion(AngleAxis(angle_rad, axis));
     }
     [[nodiscard]] double compute_precession(double time_s) const {
         const Vector3 w = compute_spin_B(time_s);

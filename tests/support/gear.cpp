@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-using Contour = std::vector<Eigen::Vector2d>;
+using Contour = std::vector<Vector2>;
 
 Contour make_circle(double radius, int n) {
     Contour contour;
@@ -29,7 +29,7 @@ Expected<TriangleMesh> draw_out(const Contour& outer, const Contour& inner, doub
     };
     for (std::int32_t i = 0; i < n; ++i) {
         for (const Contour* contour : {&outer, &inner}) {
-            const Eigen::Vector2d& p = (*contour)[static_cast<std::size_t>(i)];
+            const Vector2& p = (*contour)[static_cast<std::size_t>(i)];
             corners.emplace_back(p.x(), p.y(), -0.5 * width_m);
             corners.emplace_back(p.x(), p.y(), 0.5 * width_m);
         }
@@ -56,7 +56,7 @@ Expected<TriangleMesh> make_gear(const GearSettings& settings) {
              {std::pair{0.0, settings.root_m}, std::pair{0.15, settings.tip_m},
               std::pair{0.40, settings.tip_m}, std::pair{0.55, settings.root_m}}) {
             const double angle = first + share * pitch;
-            const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+            const Vector2 direction(std::cos(angle), std::sin(angle));
             outer.emplace_back(radius * direction);
             inner.emplace_back(settings.bore_m * direction);
         }
@@ -73,7 +73,7 @@ Expected<TriangleMesh> make_peg(double radius_m, double length_m, int n_sides) {
     std::vector<TriangleCorners> triangles;
     const Contour circle = make_circle(radius_m, n_sides);
     for (std::int32_t i = 0; i < n_sides; ++i) {
-        const Eigen::Vector2d& p = circle[static_cast<std::size_t>(i)];
+        const Vector2& p = circle[static_cast<std::size_t>(i)];
         corners.emplace_back(p.x(), p.y(), -0.5 * length_m);
         corners.emplace_back(p.x(), p.y(), 0.5 * length_m);
         const std::int32_t here = 2 + 2 * i;

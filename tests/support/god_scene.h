@@ -66,8 +66,7 @@ inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const Tri
     const std::vector<Boxed> fixed = list(object, Pose{});
     for (const Boxed& moving : list(tool, X_OT)) {
         for (const Boxed& held : fixed) {
-            if ((moving.low.array() <= held.high.array()).all() &&
-                (held.low.array() <= moving.high.array()).all() &&
+            if (all_at_most(moving.low, held.high) && all_at_most(held.low, moving.high) &&
                 fulcrum::do_cross(held.corners, moving.corners)) {
                 return true;
             }

@@ -35,12 +35,19 @@ Expected<TriangleMesh> make_trench(double slope, int n) {
     return TriangleMesh::build(vertices, triangles);
 }
 
-Expected<TriangleMesh> make_prism(const std::vector<Eigen::Vector2d>& corners, double length_m) {
+Vector2 turn_quarters(Vector2 v, int quarters) {
+    for (int i = 0; i < quarters; ++i) {
+        v = {-v.y(), v.x()};
+    }
+    return v;
+}
+
+Expected<TriangleMesh> make_prism(const std::vector<Vector2>& corners, double length_m) {
     const auto n = static_cast<std::int32_t>(corners.size());
     std::vector<Vector3> vertices;
     std::vector<TriangleCorners> triangles;
     for (const double z : {-0.5 * length_m, 0.5 * length_m}) {
-        for (const Eigen::Vector2d& corner : corners) {
+        for (const Vector2& corner : corners) {
             vertices.emplace_back(corner.x(), corner.y(), z);
         }
     }

@@ -13,8 +13,11 @@ namespace fulcrum {
 [[nodiscard]] Expected<TriangleMesh> make_trench(double slope, int n);
 
 /// A convex polygon round the origin, corners counter-clockwise, drawn out along z to `length_m`; closed, nothing welded.
-[[nodiscard]] Expected<TriangleMesh> make_prism(const std::vector<Eigen::Vector2d>& corners,
+[[nodiscard]] Expected<TriangleMesh> make_prism(const std::vector<Vector2>& corners,
                                                 double length_m);
+
+/// A quarter turn counter-clockwise, so often; the numbers stay exact.
+[[nodiscard]] Vector2 turn_quarters(Vector2 v, int quarters);
 
 /// The same surface, with corners of each triangle's own, every triangle twice and every third copy turned over, and for each
 /// a triangle without area between two of its corners. Built with the given weld.

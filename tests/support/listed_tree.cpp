@@ -38,11 +38,11 @@ ListedTree::Node* ListedTree::descend(const Vector3& p_O, bool make) {
     Node* node = &root_;
     Vector3 place = (p_O - lower_O_) / edge_m_;
     for (int level = 0; level < depth_; ++level) {
-        if (!((place.array() >= 0.0).all() && (place.array() < 1.0).all())) {
+        if (!all_at_most(Vector3::Zero(), place) || !all_below(place, Vector3::Ones())) {
             return nullptr;
         }
         place *= 8.0;
-        const Vector3 child = place.array().floor();
+        const Vector3 child = place.cwiseFloor();
         place -= child;
         const auto index = static_cast<std::size_t>(child.x() + 8.0 * child.y() + 64.0 * child.z());
         if (node->children.empty()) {
@@ -68,8 +68,7 @@ const Vector3* ListedTree::find_surface(const Vector3& p_O) const {
         return nullptr;
     }
     for (const Voxel& voxel : leaf->voxels) {
-        if ((p_O.array() >= voxel.lower_O.array()).all() &&
-            (p_O.array() < voxel.upper_O.array()).all()) {
+        if (all_at_most(voxel.lower_O, p_O) && all_below(p_O, voxel.upper_O)) {
             return voxel.is_surface ? &voxel.centre_O : nullptr;
         }
     }

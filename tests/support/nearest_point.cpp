@@ -34,16 +34,15 @@ Vector3 find_nearest_on_mesh(const CollisionMesh& mesh, const Vector3& p) {
     return nearest;
 }
 
-Eigen::Vector2d find_nearest_in_polygon(const std::vector<Eigen::Vector2d>& corners,
-                                        const Eigen::Vector2d& p) {
+Vector2 find_nearest_in_polygon(const std::vector<Vector2>& corners, const Vector2& p) {
     bool inside = true;
-    Eigen::Vector2d nearest = corners.front();
+    Vector2 nearest = corners.front();
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d& u = corners[i];
-        const Eigen::Vector2d along = corners[(i + 1) % corners.size()] - u;
-        const Eigen::Vector2d from_u = p - u;
+        const Vector2& u = corners[i];
+        const Vector2 along = corners[(i + 1) % corners.size()] - u;
+        const Vector2 from_u = p - u;
         inside = inside && along.x() * from_u.y() - along.y() * from_u.x() >= 0.0;
-        const Eigen::Vector2d here =
+        const Vector2 here =
             u + std::clamp(from_u.dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
         nearest = (here - p).norm() < (nearest - p).norm() ? here : nearest;
     }

@@ -15,7 +15,7 @@ namespace fulcrum {
 [[nodiscard]] Vector3 find_nearest_on_mesh(const CollisionMesh& mesh, const Vector3& p);
 
 /// Of a convex polygon, corners counter-clockwise, its inside included.
-[[nodiscard]] Eigen::Vector2d find_nearest_in_polygon(const std::vector<Eigen::Vector2d>& corners,
-                                                      const Eigen::Vector2d& p);
+[[nodiscard]] Vector2 find_nearest_in_polygon(const std::vector<Vector2>& corners,
+                                              const Vector2& p);
 
 }  // namespace fulcrum

@@ -20,9 +20,18 @@ class Random {
     Vector3 direction() { return vector().normalized(); }
     /// Each component from -1 to 1.
     Vector3 in_cube() { return {uniform(), uniform(), uniform()}; }
+    /// Each number of it from -1 to 1.
+    template <class M>
+    M matrix() {
+        M m;
+        for (Index i = 0; i < m.size(); ++i) {
+            m.data()[i] = uniform();
+        }
+        return m;
+    }
     /// About any axis, by up to `angle` radians.
     Quaternion turn(double angle) {
-        return Quaternion(Eigen::AngleAxisd(angle * uniform(), vector().normalized()));
+        return Quaternion(AngleAxis(angle * uniform(), vector().normalized()));
     }
     std::uint64_t integer() { return engine_(); }
 
@@ -41,7 +50,7 @@ class Wanderer {
     const Vector3& next() {
         axis_ += 0.02 * Vector3(normal_(random_), normal_(random_), normal_(random_));
         axis_ = (axis_ - axis_.dot(at_) * at_).normalized();
-        at_ = (Eigen::AngleAxisd(step_, axis_) * at_).normalized();
+        at_ = (AngleAxis(step_, axis_) * at_).normalized();
         return at_;
     }
 

@@ -92,7 +92,7 @@ long double find_gap(const LongTriangle& f, const LongTriangle& m) {
     return depth > 0.0L ? -depth : std::sqrt(best);
 }
 
-using LongQuaternion = Eigen::Quaternion<long double, Eigen::DontAlign>;
+using LongQuaternion = QuaternionOf<long double>;
 
 }  // namespace
 

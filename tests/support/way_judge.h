@@ -6,7 +6,7 @@
 
 namespace fulcrum {
 
-using LongVector = Eigen::Matrix<long double, 3, 1>;
+using LongVector = Matrix<long double, 3, 1>;
 
 /// Walks the way of a pair.
 class WayJudge {

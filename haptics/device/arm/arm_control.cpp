@@ -8,7 +8,6 @@
 namespace fulcrum {
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 // Beside J M^-1 J^T, which is 0.1 and more where the handle can move: far above its rounding, far below what is felt.
 constexpr double kLeastMobility_per_kg = 1.0e-6;
 
@@ -47,7 +46,7 @@ JointVector ArmControl::compute_posture_torque(const ArmPosture& posture, const 
     Matrix6 mobility = kLeastMobility_per_kg * Matrix6::Identity();
     Vector6 felt = Vector6::Zero();
     for (int i = 0; i < model_.n; ++i) {
-        mobility += response.col(i).lazyProduct(response.col(i).transpose());
+        mobility += response.col(i) * response.col(i).transpose();
         felt += jacobian.col(i) * wanted(i);
     }
     factor_cholesky(mobility);

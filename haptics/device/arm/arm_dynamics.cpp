@@ -53,7 +53,7 @@ inline void move_to_origin(const Vector3& centre, SpatialInertia& inertia) noexc
     const Vector3 moment = inertia.mass_kg * centre;
     inertia.moment_kg_m = moment;
     inertia.turning_kg_m2 -= moment * centre.transpose();
-    inertia.turning_kg_m2.diagonal().array() += moment.dot(centre);
+    inertia.turning_kg_m2.diagonal() += Vector3::Constant(moment.dot(centre));
 }
 
 inline void add(SpatialInertia& sum, const SpatialInertia& other) noexcept {
@@ -101,8 +101,8 @@ void compute_bodies(const ArmModel& model, const ArmPosture& posture, const Held
         SpatialInertia& body = bodies.links[at];
         body.mass_kg = link.mass_kg;
         Matrix3 turned;
-        turned.noalias() = turn_B * link.inertia_kg_m2;
-        body.turning_kg_m2.noalias() = turned * turn_B.transpose();
+        turned = turn_B * link.inertia_kg_m2;
+        body.turning_kg_m2 = turned * turn_B.transpose();
         move_to_origin(posture.origin_B[at + 1] + turn_B * link.centre_m, body);
     }
     SpatialInertia hand{held.mass_kg, Vector3::Zero(), held.inertia_kg_m2 * Matrix3::Identity()};

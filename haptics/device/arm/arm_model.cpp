@@ -1,11 +1,12 @@
 #include "haptics/device/arm/arm_model.h"
 
 #include "haptics/base/range.h"
+#include "haptics/math/dense.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -34,9 +35,7 @@ Expected<void> check_link(const ArmLink& link, const std::string& whose) {
                         (inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= 1.0e-9 * largest;
     // The table's rounding may leave a thin link a little below zero, but not more.
     constexpr double kRounding = 1.0e-6;
-    if (!usable || Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly)
-                           .eigenvalues()
-                           .minCoeff() < -kRounding * largest) {
+    if (!usable || compute_symmetric_axes(inertia).values.minCoeff() < -kRounding * largest) {
         return fail(whose + " centre or inertia is not one of a body", {},
                     "give a finite centre and a symmetric matrix without a negative eigenvalue");
     }
@@ -52,8 +51,22 @@ Expected<void> check_motor(const ArmMotor& motor, const std::string& whose) {
     return check_ranges(whose, ranges);
 }
 
-bool is_invertible(const JointMatrix& matrix) {
-    return matrix.allFinite() && Eigen::FullPivLU<Eigen::MatrixXd>(matrix).isInvertible();
+std::optional<JointMatrix> compute_inverse(const JointMatrix& matrix) {
+    const auto n = static_cast<std::size_t>(matrix.rows());
+    std::vector<double> numbers;
+    for (Index j = 0; j < matrix.cols(); ++j) {
+        for (Index i = 0; i < matrix.rows(); ++i) {
+            numbers.push_back(matrix(i, j));
+        }
+    }
+    if (!invert(numbers, n)) {
+        return std::nullopt;
+    }
+    JointMatrix inverse(matrix.rows(), matrix.cols());
+    for (std::size_t at = 0; at < numbers.size(); ++at) {
+        inverse(static_cast<Index>(at % n), static_cast<Index>(at / n)) = numbers[at];
+    }
+    return inverse;
 }
 
 }  // namespace
@@ -84,7 +97,7 @@ Expected<void> validate(const ArmModel& model) {
                     "give it a mass, or its motor a rotor");
     }
     const JointMatrix& t = model.transmission;
-    if (t.rows() != model.n || t.cols() != model.n || !is_invertible(t)) {
+    if (t.rows() != model.n || t.cols() != model.n || !compute_inverse(t)) {
         return fail("the arm's transmission does not turn its motors' angles into its joints'", {},
                     "give an invertible matrix with a row a motor and a column a joint");
     }
@@ -100,14 +113,18 @@ JointMatrix compute_rotor_inertia(const ArmModel& model) {
     const JointMatrix& t = model.transmission;
     JointMatrix inertia = JointMatrix::Zero(model.n, model.n);
     for (int k = 0; k < model.n; ++k) {
-        inertia += model.motors[static_cast<std::size_t>(k)].rotor_inertia_kg_m2 *
-                   t.row(k).transpose().lazyProduct(t.row(k));
+        const double rotor_kg_m2 = model.motors[static_cast<std::size_t>(k)].rotor_inertia_kg_m2;
+        for (int j = 0; j < model.n; ++j) {
+            for (int i = 0; i < model.n; ++i) {
+                inertia(i, j) += rotor_kg_m2 * t(k, i) * t(k, j);
+            }
+        }
     }
     return inertia;
 }
 
 JointMatrix compute_joint_per_motor(const ArmModel& model) {
-    return Eigen::MatrixXd(model.transmission).inverse();
+    return compute_inverse(model.transmission).value();
 }
 
 }  // namespace fulcrum

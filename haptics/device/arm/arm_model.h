@@ -13,29 +13,13 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/device/arm/joint_matrix.h"
 #include "haptics/math/spatial.h"
 
 #include <array>
 #include <cstddef>
 
 namespace fulcrum {
-
-inline constexpr int kMostJoints = 7;
-
-/// A number for each joint, or for each motor; never on the heap.
-using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
-using JointMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
-
-/// A v. Of an arm that has all its joints the compiler knows how many, and loops over none.
-[[nodiscard]] inline JointVector multiply(const JointMatrix& a, const JointVector& v) noexcept {
-    if (v.size() != kMostJoints) {
-        return a.lazyProduct(v);
-    }
-    using Vector = Eigen::Matrix<double, kMostJoints, 1>;
-    using Matrix = Eigen::Matrix<double, kMostJoints, kMostJoints>;
-    return Eigen::Map<const Matrix>(a.data()).lazyProduct(Eigen::Map<const Vector>(v.data()));
-}
 
 /// A link and the joint before it.
 struct ArmLink {

@@ -43,10 +43,7 @@ HeldMass ArmMotion::held() const noexcept {
 // The hand's wrench at the middle of the step were the velocity to stay, and what its springs and dampers add to the matrix.
 void ArmMotion::add_grip(const GripTarget& target, const JointVector& v, double dt_s) noexcept {
     const HandleJacobian& jacobian = posture_.jacobian_B;
-    Vector6 motion = Vector6::Zero();
-    for (int i = 0; i < model_.n; ++i) {
-        motion += jacobian.col(i) * v(i);
-    }
+    const Vector6 motion = compute_motion_B(posture_, v);
     const BoundedSpring push = pull(target.pose_B.position - posture_.handle_B.position,
                                     grip_.push.stiffness_N_per_m, grip_.strongest_N);
     const BoundedSpring turn = pull(-compute_turn(posture_.handle_B, target.pose_B),

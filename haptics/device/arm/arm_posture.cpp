@@ -33,20 +33,28 @@ void compute_posture(const ArmModel& model, const ArmTwists& twists, const Joint
         const Matrix3& turn_B = posture.turn_B[before];
         posture.origin_B[before + 1] =
             posture.origin_B[before] + turn_B * Vector3(link.a_m * c, link.a_m * s, link.d_m);
-        posture.turn_B[before + 1].noalias() = turn_B * turn;
+        posture.turn_B[before + 1] = turn_B * turn;
     }
     const auto last = static_cast<std::size_t>(model.n);
     posture.handle_B.position =
         posture.origin_B[last] + posture.turn_B[last] * model.handle.position;
     posture.handle_B.orientation = Quaternion(posture.turn_B[last]) * model.handle.orientation;
     posture.handle_B.orientation.normalize();
-    posture.jacobian_B.resize(6, model.n);
+    posture.jacobian_B.setZero();
     for (int i = 0; i < model.n; ++i) {
         const Vector3 axis_B = posture.axis_B(i);
         posture.jacobian_B.col(i) << axis_B.cross(posture.handle_B.position -
                                                   posture.origin_B[static_cast<std::size_t>(i)]),
             axis_B;
     }
+}
+
+Vector6 compute_motion_B(const ArmPosture& posture, const JointVector& v) noexcept {
+    Vector6 motion = Vector6::Zero();
+    for (Index i = 0; i < v.size(); ++i) {
+        motion += posture.jacobian_B.col(i) * v(i);
+    }
+    return motion;
 }
 
 }  // namespace fulcrum

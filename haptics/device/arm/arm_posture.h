@@ -12,9 +12,8 @@
 
 namespace fulcrum {
 
-using HandleJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostJoints>;
-/// Force over torque, or linear velocity over angular.
-using Vector6 = Eigen::Matrix<double, 6, 1>;
+/// Columns of joints that the arm has not are zero.
+using HandleJacobian = Matrix<double, 6, kMostJoints>;
 
 /// What the links' twists, alpha, give at every posture.
 struct LinkTwist {
@@ -41,6 +40,9 @@ struct ArmPosture {
 void compute_posture(const ArmModel& model, const ArmTwists& twists, const JointVector& q,
                      ArmPosture& posture) noexcept;
 void compute_posture(const ArmModel& model, const JointVector& q, ArmPosture& posture) noexcept;
+
+/// What the joints' velocities (radians per second) are at the handle: J v.
+[[nodiscard]] Vector6 compute_motion_B(const ArmPosture& posture, const JointVector& v) noexcept;
 
 /// A wrench at the handle, along the base's axes, as one column.
 [[nodiscard]] inline Vector6 stack(const Wrench& wrench) noexcept {

@@ -1,10 +1,10 @@
 #include "haptics/device/arm/arm_reach.h"
 
 #include "haptics/base/range.h"
+#include "haptics/device/arm/cholesky.h"
+#include "haptics/math/dense.h"
 #include "haptics/math/rotation.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -19,12 +19,10 @@ constexpr int kMostSteps = 200;
 constexpr double kDamping_per_kg = 1.0e-9;  // of the inverse: finite where the arm is straight
 constexpr double kFullTurn_rad = 6.283185307179586;
 
-using Matrix = Eigen::MatrixXd;
-using Vector = Eigen::VectorXd;
-
 struct Sample {
     ArmPosture posture;
-    Matrix inertia;
+    JointMatrix inertia;   // L of L L^T in its lower half
+    HandleJacobian eased;  // (L^-1 J^T)^T, whose square is the handle's mobility
 };
 
 // Home, with the dynamics of the place.
@@ -34,6 +32,9 @@ Sample make_sample(const ArmModel& model, const JointVector& q) {
     ArmBodies bodies;
     compute_bodies(model, sample.posture, HeldMass{}, bodies);
     sample.inertia = compute_joint_inertia(sample.posture, bodies, compute_rotor_inertia(model));
+    factor_cholesky(sample.inertia);
+    sample.eased = sample.posture.jacobian_B;
+    solve_lower(sample.inertia, sample.eased);
     return sample;
 }
 
@@ -44,11 +45,16 @@ bool reach(const ArmModel& model, const JointVector& home, const Pose& aim, Join
         Vector6 error;
         error << aim.position - at.posture.handle_B.position,
             compute_log(aim.orientation * at.posture.handle_B.orientation.conjugate());
-        const Matrix jacobian = at.posture.jacobian_B;
-        const Matrix response = at.inertia.llt().solve(jacobian.transpose());
-        const Matrix mobility = jacobian * response + kDamping_per_kg * Matrix::Identity(6, 6);
-        const Vector back = home - q;
-        const Vector move = back + response * mobility.llt().solve(Vector(error - jacobian * back));
+        const Matrix6 mobility =
+            at.eased * at.eased.transpose() + kDamping_per_kg * Matrix6::Identity();
+        const JointVector back = home - q;
+        const Vector6 wrench = solve_cholesky(mobility, error - compute_motion_B(at.posture, back));
+        JointVector move(model.n);
+        for (Index i = 0; i < model.n; ++i) {
+            move(i) = at.posture.jacobian_B.col(i).dot(wrench);
+        }
+        solve_cholesky(at.inertia, move);
+        move += back;
         // Far aims are walked to in small steps, for the Jacobian holds near by only.
         const double longest = move.cwiseAbs().maxCoeff();
         constexpr double kLongestStep_rad = 0.2;
@@ -91,55 +97,42 @@ std::vector<Pose> make_aims(const Pose& home, const ArmWorkspace& workspace) {
     return aims;
 }
 
-// What the motors leave for one part of the wrench: half of their room.
-double compute_promise(const ArmModel& model, const Vector& weight,
-                       const Matrix& motor_per_wrench) {
-    double promise = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < model.n; ++k) {
-        const double most = model.motors[static_cast<std::size_t>(k)].max_torque_Nm;
-        const double room = std::max(most - std::abs(weight(k)), 0.0);
-        const double asked = motor_per_wrench.row(k).norm();
-        if (asked > 0.0) {
-            promise = std::min(promise, 0.5 * room / asked);
-        }
+// What motor k turns the handle by, a radian of its own: J T^-1, column k.
+Vector6 compute_motor_column(const ArmPosture& posture, const JointMatrix& joint_per_motor, int k) {
+    Vector6 column = Vector6::Zero();
+    for (Index i = 0; i < joint_per_motor.rows(); ++i) {
+        column += posture.jacobian_B.col(i) * joint_per_motor(i, k);
     }
-    return promise;
+    return column;
 }
 
-double compute_least_damping(const ArmModel& model, const Matrix& rows) {
-    Vector per_damping(model.n);
-    for (int i = 0; i < model.n; ++i) {
-        per_damping(i) = 1.0 / model.links[static_cast<std::size_t>(i)].damping_Nms_per_rad;
-    }
-    const Matrix3 yield = rows * per_damping.asDiagonal() * rows.transpose();
-    return 1.0 / Eigen::SelfAdjointEigenSolver<Matrix3>(yield).eigenvalues().maxCoeff();
-}
-
-double compute_largest_step(const ArmModel& model, const Matrix& rows,
-                            const Matrix& joint_per_motor) {
-    double step_m = 0.0;
-    for (int k = 0; k < model.n; ++k) {
-        const double counts = model.motors[static_cast<std::size_t>(k)].counts_per_turn;
-        if (counts > 0.0) {
-            step_m =
-                std::max(step_m, (rows * joint_per_motor.col(k)).norm() * kFullTurn_rad / counts);
-        }
-    }
-    return step_m;
-}
-
-void take_worst(const ArmModel& model, const Sample& at, const Matrix& joint_per_motor,
+void take_worst(const ArmModel& model, const Sample& at, const JointMatrix& joint_per_motor,
                 ArmReach& worst) {
-    const Matrix motor_per_joint = joint_per_motor.transpose();
-    const Matrix rows = at.posture.jacobian_B.topRows<3>();
-    const Matrix turns = at.posture.jacobian_B.bottomRows<3>();
-    const Vector weight = motor_per_joint * compute_weight_torque(model, at.posture);
-    worst.force_N =
-        std::min(worst.force_N, compute_promise(model, weight, motor_per_joint * rows.transpose()));
-    worst.torque_Nm = std::min(worst.torque_Nm,
-                               compute_promise(model, weight, motor_per_joint * turns.transpose()));
-    worst.damping_Ns_per_m = std::min(worst.damping_Ns_per_m, compute_least_damping(model, rows));
-    worst.step_m = std::max(worst.step_m, compute_largest_step(model, rows, joint_per_motor));
+    const JointVector weight =
+        multiply(joint_per_motor.transpose(), compute_weight_torque(model, at.posture));
+    Matrix3 yield = Matrix3::Zero();
+    for (int k = 0; k < model.n; ++k) {
+        const auto place = static_cast<std::size_t>(k);
+        // By the transposed Jacobian the same column says what the motor gives for a wrench; half of its room is promised.
+        const Vector6 column = compute_motor_column(at.posture, joint_per_motor, k);
+        const double linear = column.head<3>().norm();
+        const double turning = column.tail<3>().norm();
+        const ArmMotor& motor = model.motors[place];
+        const double room = std::max(motor.max_torque_Nm - std::abs(weight(k)), 0.0);
+        if (linear > 0.0) {
+            worst.force_N = std::min(worst.force_N, 0.5 * room / linear);
+        }
+        if (turning > 0.0) {
+            worst.torque_Nm = std::min(worst.torque_Nm, 0.5 * room / turning);
+        }
+        if (motor.counts_per_turn > 0.0) {
+            worst.step_m = std::max(worst.step_m, linear * kFullTurn_rad / motor.counts_per_turn);
+        }
+        const Vector3 row = at.posture.jacobian_B.col(k).head<3>();
+        yield += row * row.transpose() / model.links[place].damping_Nms_per_rad;
+    }
+    worst.damping_Ns_per_m =
+        std::min(worst.damping_Ns_per_m, 1.0 / compute_symmetric_axes(yield).values.maxCoeff());
 }
 
 Expected<void> check(const ArmModel& model, const ArmWorkspace& workspace) {
@@ -170,7 +163,7 @@ Expected<ArmReach> compute_reach(const ArmModel& model, const ArmWorkspace& work
     if (auto checked = check(model, workspace); !checked) {
         return tl::unexpected<Error>(checked.error());
     }
-    const Matrix joint_per_motor = compute_joint_per_motor(model);
+    const JointMatrix joint_per_motor = compute_joint_per_motor(model);
     const Sample home = make_sample(model, workspace.home_rad);
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     ArmReach worst{kInfinite, kInfinite, kInfinite, 0.0, 0.0};
@@ -189,8 +182,7 @@ Expected<ArmReach> compute_reach(const ArmModel& model, const ArmWorkspace& work
     worst.force_N *= kBetweenSamples;
     worst.torque_Nm *= kBetweenSamples;
     worst.damping_Ns_per_m *= kBetweenSamples;
-    const Matrix rows = home.posture.jacobian_B.topRows<3>();
-    worst.mass_kg = 3.0 / (rows * home.inertia.llt().solve(rows.transpose())).trace();
+    worst.mass_kg = 3.0 / home.eased.topRows<3>().squaredNorm();
     return worst;
 }
 

@@ -102,7 +102,10 @@ ArmModel make_barrett_wam(double handle_m) {
 
 JointVector make_wam_home() {
     JointVector home(7);
-    home << 0.0, 0.2, 0.0, 2.0, -1.76, 0.8, 0.0;
+    home(1) = 0.2;
+    home(3) = 2.0;
+    home(4) = -1.76;
+    home(5) = 0.8;
     return home;
 }
 

@@ -5,7 +5,8 @@
 // Source: any textbook; G. Golub, C. Van Loan 2013, Matrix computations, algorithm 4.2.1.
 #pragma once
 
-#include <Eigen/Core>
+#include "haptics/math/matrix.h"
+
 #include <cmath>
 
 namespace fulcrum {
@@ -14,17 +15,17 @@ namespace fulcrum {
 template <class Matrix>
 void factor_cholesky(Matrix& a) noexcept {
     // No index is checked again: a check costs as much as what it guards.
-    const Eigen::Index n = a.rows();
-    for (Eigen::Index j = 0; j < n; ++j) {
+    const Index n = a.rows();
+    for (Index j = 0; j < n; ++j) {
         double pivot = a.coeff(j, j);
-        for (Eigen::Index k = 0; k < j; ++k) {
+        for (Index k = 0; k < j; ++k) {
             pivot -= a.coeff(j, k) * a.coeff(j, k);
         }
         pivot = std::sqrt(pivot);
         a.coeffRef(j, j) = pivot;
-        for (Eigen::Index i = j + 1; i < n; ++i) {
+        for (Index i = j + 1; i < n; ++i) {
             double below = a.coeff(i, j);
-            for (Eigen::Index k = 0; k < j; ++k) {
+            for (Index k = 0; k < j; ++k) {
                 below -= a.coeff(i, k) * a.coeff(j, k);
             }
             a.coeffRef(i, j) = below / pivot;
@@ -35,9 +36,9 @@ void factor_cholesky(Matrix& a) noexcept {
 /// Replaces each row b^T by (L^-1 b)^T; `l` from factor_cholesky, with as many rows as `rows` has columns.
 template <class Matrix, class Rows>
 void solve_lower(const Matrix& l, Rows& rows) noexcept {
-    for (Eigen::Index i = 0; i < l.rows(); ++i) {
+    for (Index i = 0; i < l.rows(); ++i) {
         auto column = rows.col(i);
-        for (Eigen::Index k = 0; k < i; ++k) {
+        for (Index k = 0; k < i; ++k) {
             column -= l.coeff(i, k) * rows.col(k);
         }
         column /= l.coeff(i, i);
@@ -47,17 +48,17 @@ void solve_lower(const Matrix& l, Rows& rows) noexcept {
 /// Replaces b by A^-1 b; `l` from factor_cholesky.
 template <class Matrix, class Column>
 void solve_cholesky(const Matrix& l, Column& column) noexcept {
-    const Eigen::Index n = l.rows();
-    for (Eigen::Index i = 0; i < n; ++i) {
+    const Index n = l.rows();
+    for (Index i = 0; i < n; ++i) {
         double value = column.coeff(i);
-        for (Eigen::Index k = 0; k < i; ++k) {
+        for (Index k = 0; k < i; ++k) {
             value -= l.coeff(i, k) * column.coeff(k);
         }
         column.coeffRef(i) = value / l.coeff(i, i);
     }
-    for (Eigen::Index i = n - 1; i >= 0; --i) {
+    for (Index i = n - 1; i >= 0; --i) {
         double value = column.coeff(i);
-        for (Eigen::Index k = i + 1; k < n; ++k) {
+        for (Index k = i + 1; k < n; ++k) {
             value -= l.coeff(k, i) * column.coeff(k);
         }
         column.coeffRef(i) = value / l.coeff(i, i);

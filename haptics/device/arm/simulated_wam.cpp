@@ -81,7 +81,7 @@ Pose SimulatedWam::to_D(const ArmPosture& posture) const noexcept {
 Twist SimulatedWam::compute_velocity_D() const noexcept {
     ArmPosture posture;
     compute_posture(settings_.model, state_.angle_rad, posture);
-    const Vector6 motion_B = posture.jacobian_B.lazyProduct(state_.speed_rad_per_s);
+    const Vector6 motion_B = compute_motion_B(posture, state_.speed_rad_per_s);
     return {pose_DB_.orientation * motion_B.head<3>(), pose_DB_.orientation * motion_B.tail<3>()};
 }
 

@@ -121,7 +121,10 @@ bool mend(const StickSlipProblem& problem, const JointVector& w, double rounding
 // The best w_i with all others as they are.
 double minimise_one(const StickSlipProblem& problem, const JointVector& w, int i) noexcept {
     const double a = problem.inertia(i, i);
-    const double b = problem.push(i) - problem.inertia.row(i).dot(w) + a * w(i);
+    double b = problem.push(i) + a * w(i);
+    for (Index j = 0; j < w.size(); ++j) {
+        b -= problem.inertia(i, j) * w(j);
+    }
     const double beyond = std::max(std::abs(b) - problem.dry(i), 0.0) / a;
     return std::clamp(b < 0.0 ? -beyond : beyond, problem.low(i), problem.high(i));
 }

@@ -30,8 +30,8 @@ Expected<AxisOrder> AxisOrder::read(std::string_view text) {
 std::optional<AxisOrder> AxisOrder::of(const Matrix3& axes) noexcept {
     // One entry of size 1 in each row; a determinant that is not zero says that each column has one too.
     const Matrix3 sizes = axes.cwiseAbs();
-    const bool is_signed = (sizes.array() == 0.0 || sizes.array() == 1.0).all() &&
-                           sizes.rowwise().sum() == Vector3::Ones();
+    const bool is_signed =
+        sizes.cwiseProduct(sizes) == sizes && sizes * Vector3::Ones() == Vector3::Ones();
     return is_signed && axes.determinant() != 0.0 ? std::optional(AxisOrder(axes)) : std::nullopt;
 }
 

@@ -26,7 +26,7 @@ bool SimulatedArm::read(double now_s, DeviceReading& reading) noexcept {
     // The encoder counts whole steps.
     reading.pose_D = {position_D(), aim_.pose_D.orientation.normalized()};
     if (const double step_m = settings_.position_resolution_m; step_m > 0.0) {
-        reading.pose_D.position = (reading.pose_D.position / step_m).array().round() * step_m;
+        reading.pose_D.position = (reading.pose_D.position / step_m).cwiseRound() * step_m;
     }
     reading.stamp_s = now_s;
     reading.buttons = aim_.buttons;
@@ -57,7 +57,7 @@ void SimulatedArm::reset() noexcept {
     pending_.clear();
     force_D_.setZero();
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        axes_[i] = {settings_.start_D[static_cast<Eigen::Index>(i)], 0.0};
+        axes_[i] = {settings_.start_D[static_cast<Index>(i)], 0.0};
     }
 }
 
@@ -78,7 +78,7 @@ void SimulatedArm::advance(double dt_s) noexcept {
     const Vector3 push_D = human_.stiffness_N_per_m * aim_.pose_D.position +
                            human_.damping_Ns_per_m * aim_.velocity_D + force_D_;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        motion_[i].step(axes_[i], push_D[static_cast<Eigen::Index>(i)], dt_s);
+        motion_[i].step(axes_[i], push_D[static_cast<Index>(i)], dt_s);
     }
 }
 

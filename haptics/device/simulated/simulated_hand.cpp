@@ -19,7 +19,7 @@ bool SimulatedHand::read(double now_s, DeviceReading& reading) noexcept {
     // The encoder counts whole steps.
     reading.pose_D = {position_D_, orientation_D_};
     if (const double step_m = settings_.position_resolution_m; step_m > 0.0) {
-        reading.pose_D.position = (position_D_ / step_m).array().round().matrix() * step_m;
+        reading.pose_D.position = (position_D_ / step_m).cwiseRound() * step_m;
     }
     reading.stamp_s = now_s;
     reading.buttons = target_.value().buttons;

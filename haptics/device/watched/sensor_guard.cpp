@@ -41,7 +41,7 @@ void SensorGuard::begin(const Vector3& position, double stamp_s, const Vector3& 
 }
 
 void SensorGuard::watch_rest(const Vector3& motion, double dt_s, const Vector3& acted) noexcept {
-    const bool rests = (motion.array() == 0.0).all();
+    const bool rests = motion.isZero(0.0);
     if (!rests) {
         is_frozen_ = false;
         still_s_ = 0.0;

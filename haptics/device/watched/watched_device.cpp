@@ -22,8 +22,12 @@ bool WatchedDevice::write(double now_s, const Wrench& wrench_D) noexcept {
 }
 
 bool WatchedDevice::is_at_stop(const Vector3& position_D) const noexcept {
-    return ((watch_.stop_D.array() > 0.0) && (position_D.array().abs() >= watch_.stop_D.array()))
-        .any();
+    for (Index i = 0; i < 3; ++i) {
+        if (watch_.stop_D[i] > 0.0 && std::abs(position_D[i]) >= watch_.stop_D[i]) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace fulcrum

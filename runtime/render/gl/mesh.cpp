@@ -2,7 +2,6 @@
 
 #include "runtime/render/gl/simplify.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -69,21 +68,24 @@ Expected<void> check(const ModelImage& image, const std::string& name) {
 std::vector<float> computed_normals(const ModelPrimitive& primitive) {
     std::vector<float> normals(primitive.positions.size(), 0.0F);
     const auto corner = [&](std::uint32_t i) {
-        return Eigen::Vector3f(primitive.positions.data() + 3 * static_cast<std::size_t>(i));
+        return Vector3f(primitive.positions.data() + 3 * static_cast<std::size_t>(i));
     };
     for (std::size_t t = 0; t + 2 < primitive.indices.size(); t += 3) {
         const auto a = primitive.indices[t];
         const auto b = primitive.indices[t + 1];
         const auto c = primitive.indices[t + 2];
-        const Eigen::Vector3f area = (corner(b) - corner(a)).cross(corner(c) - corner(a));
+        const Vector3f area = (corner(b) - corner(a)).cross(corner(c) - corner(a));
         for (const auto i : {a, b, c}) {
-            Eigen::Map<Eigen::Vector3f>(normals.data() + 3 * static_cast<std::size_t>(i)) += area;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                normals[3 * std::size_t{i} + axis] += area[static_cast<Index>(axis)];
+            }
         }
     }
     for (std::size_t i = 0; i < normals.size(); i += 3) {
-        Eigen::Map<Eigen::Vector3f> normal(normals.data() + i);
-        const float length = normal.norm();
-        normal = length > 0.0F ? Eigen::Vector3f(normal / length) : Eigen::Vector3f::UnitY();
+        const Vector3f sum(normals.data() + i);
+        const float length = sum.norm();
+        const Vector3f normal = length > 0.0F ? sum / length : Vector3f::UnitY();
+        std::ranges::copy(normal, normals.begin() + static_cast<std::ptrdiff_t>(i));
     }
     return normals;
 }
@@ -188,7 +190,7 @@ Expected<Mesh> upload(const LoadedModel& model) {
     mesh.highest.setConstant(std::numeric_limits<float>::lowest());
     for (const ModelPrimitive& primitive : model.primitives) {
         for (std::size_t i = 0; i + 2 < primitive.positions.size(); i += 3) {
-            const Eigen::Vector3f corner(primitive.positions.data() + i);
+            const Vector3f corner(primitive.positions.data() + i);
             mesh.lowest = mesh.lowest.cwiseMin(corner);
             mesh.highest = mesh.highest.cwiseMax(corner);
         }

@@ -7,10 +7,10 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/math/matrix.h"
 #include "runtime/render/gl/handle.h"
 #include "runtime/scene/model.h"
 
-#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -37,8 +37,8 @@ struct Mesh {
     /// long in the picture.
     std::array<std::vector<MeshPart>, kLevelPixels.size() + 1> levels;
     std::vector<Texture> textures;
-    Eigen::Vector3f lowest{Eigen::Vector3f::Zero()};   ///< corner of the bounding box, metres
-    Eigen::Vector3f highest{Eigen::Vector3f::Zero()};  ///< corner of the bounding box, metres
+    Vector3f lowest{Vector3f::Zero()};   ///< corner of the bounding box, metres
+    Vector3f highest{Vector3f::Zero()};  ///< corner of the bounding box, metres
 };
 
 /// Checks a model and copies it to the card. Missing normals are computed, missing uvs are zero.

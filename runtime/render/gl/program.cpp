@@ -91,19 +91,19 @@ void Program::set(const char* name, int value) const {
 void Program::set(const char* name, float value) const {
     glUniform1f(location(name), value);
 }
-void Program::set(const char* name, const Eigen::Vector2f& value) const {
+void Program::set(const char* name, const Vector2f& value) const {
     glUniform2fv(location(name), 1, value.data());
 }
-void Program::set(const char* name, const Eigen::Vector3f& value) const {
+void Program::set(const char* name, const Vector3f& value) const {
     glUniform3fv(location(name), 1, value.data());
 }
-void Program::set(const char* name, const Eigen::Vector4f& value) const {
+void Program::set(const char* name, const Vector4f& value) const {
     glUniform4fv(location(name), 1, value.data());
 }
-void Program::set(const char* name, const Eigen::Matrix3f& value) const {
+void Program::set(const char* name, const Matrix3f& value) const {
     glUniformMatrix3fv(location(name), 1, GL_FALSE, value.data());
 }
-void Program::set(const char* name, const Eigen::Matrix4f& value) const {
+void Program::set(const char* name, const Matrix4f& value) const {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, value.data());
 }
 

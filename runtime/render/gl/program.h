@@ -4,9 +4,9 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/math/matrix.h"
 #include "runtime/render/gl/handle.h"
 
-#include <Eigen/Core>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -29,11 +29,11 @@ class Program {
     /// The program must be current. A name that the program does not use is left alone.
     void set(const char* name, int value) const;
     void set(const char* name, float value) const;
-    void set(const char* name, const Eigen::Vector2f& value) const;
-    void set(const char* name, const Eigen::Vector3f& value) const;
-    void set(const char* name, const Eigen::Vector4f& value) const;
-    void set(const char* name, const Eigen::Matrix3f& value) const;
-    void set(const char* name, const Eigen::Matrix4f& value) const;
+    void set(const char* name, const Vector2f& value) const;
+    void set(const char* name, const Vector3f& value) const;
+    void set(const char* name, const Vector4f& value) const;
+    void set(const char* name, const Matrix3f& value) const;
+    void set(const char* name, const Matrix4f& value) const;
 
   private:
     [[nodiscard]] GLint location(const char* name) const;

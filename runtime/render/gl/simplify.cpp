@@ -1,6 +1,7 @@
 #include "runtime/render/gl/simplify.h"
 
-#include <Eigen/Core>
+#include "haptics/math/matrix.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,8 +12,8 @@ namespace fulcrum::runtime::gl {
 
 namespace {
 
-Eigen::Vector3f corner_of(const std::vector<float>& numbers, std::size_t i) {
-    return Eigen::Vector3f(numbers.data() + 3 * i);
+Vector3f corner_of(const std::vector<float>& numbers, std::size_t i) {
+    return Vector3f(numbers.data() + 3 * i);
 }
 
 /// Whether two corners face nearly the same way.
@@ -27,7 +28,7 @@ std::uint64_t mix(std::uint64_t key, std::uint64_t number) {
     return key * 0xBF58476D1CE4E5B9ULL;
 }
 
-std::uint64_t place_key(const Eigen::Vector3f& place) {
+std::uint64_t place_key(const Vector3f& place) {
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const float number = place[axis] + 0.0F;  // -0 becomes 0
@@ -46,13 +47,13 @@ std::vector<std::size_t> stand_ins(const ModelPrimitive& primitive, float cell_m
     std::unordered_map<std::uint64_t, std::size_t> first_at_place;
     std::vector<std::size_t> stand_in(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const Eigen::Vector3f place = corner_of(primitive.positions, i);
+        const Vector3f place = corner_of(primitive.positions, i);
         const auto [at_place, is_new] = first_at_place.try_emplace(place_key(place), i);
         if (!is_new) {
             stand_in[i] = stand_in[at_place->second];
             continue;
         }
-        const Eigen::Vector3f cell = (place / cell_m).array().floor();
+        const Vector3f cell = (place / cell_m).cwiseFloor();
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis) {
             key = mix(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis])));
@@ -157,9 +158,9 @@ bool is_closed(const ModelPrimitive& primitive) {
             }
             runs[(std::min(from, to) << 32U) | std::max(from, to)] += from < to ? 1 : -1;
         }
-        const Eigen::Vector3d a = corner_of(primitive.positions, corners[0]).cast<double>();
-        const Eigen::Vector3d b = corner_of(primitive.positions, corners[1]).cast<double>();
-        const Eigen::Vector3d c = corner_of(primitive.positions, corners[2]).cast<double>();
+        const Vector3 a = corner_of(primitive.positions, corners[0]).cast<double>();
+        const Vector3 b = corner_of(primitive.positions, corners[1]).cast<double>();
+        const Vector3 c = corner_of(primitive.positions, corners[2]).cast<double>();
         six_volumes += a.dot(b.cross(c));
     }
     return six_volumes > 0.0 &&

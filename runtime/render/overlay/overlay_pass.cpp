@@ -92,7 +92,7 @@ void OverlayPass::draw(const DrawList& list, Font& font, int width_px, int heigh
     program_.use();
     program_.set("u_atlas", 0);
     program_.set("u_size_px",
-                 Eigen::Vector2f(static_cast<float>(width_px), static_cast<float>(height_px)));
+                 Vector2f(static_cast<float>(width_px), static_cast<float>(height_px)));
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);

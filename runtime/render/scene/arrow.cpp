@@ -55,7 +55,7 @@ std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera,
                                        1.25 * style.girth * kHeadLength, kLongestArrow) *
                             distance_m;
     const Vector3 way = compute_direction(force.force_W);
-    const Quaternion turn(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitY(), way));
+    const Quaternion turn(Quaternion::FromTwoVectors(Vector3::UnitY(), way));
 
     Arrow arrow;
     const double shaft_m = length_m - 0.9 * head_m;
@@ -84,8 +84,7 @@ std::optional<Placement> arm_for(const ViewTorque& torque, const Camera& camera)
     if (!(length_m > radius_m)) {
         return std::nullopt;
     }
-    const Quaternion turn(
-        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitY(), compute_direction(way)));
+    const Quaternion turn(Quaternion::FromTwoVectors(Vector3::UnitY(), compute_direction(way)));
     return place({torque.axis_W, turn}, {radius_m, length_m, radius_m});
 }
 

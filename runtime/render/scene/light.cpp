@@ -24,7 +24,7 @@ Light light_for(const Camera& camera, double ground_height_m, int shadow_map_siz
     const Vector3 right = Vector3::UnitY().cross(back).normalized();
     const Vector3 up = back.cross(right);
     const Vector3 lamp = centre + kLampHeight * reach_m * back;
-    Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+    Matrix4 view = Matrix4::Identity();
     view.block<1, 3>(0, 0) = right.transpose();
     view.block<1, 3>(1, 0) = up.transpose();
     view.block<1, 3>(2, 0) = back.transpose();
@@ -32,13 +32,13 @@ Light light_for(const Camera& camera, double ground_height_m, int shadow_map_siz
 
     // A box of light, 10 % wider than the floor that it must cover.
     const double half_m = 1.1 * reach_m;
-    Eigen::Matrix4d box = Eigen::Matrix4d::Identity();
+    Matrix4 box = Matrix4::Identity();
     box(0, 0) = 1.0 / half_m;
     box(1, 1) = 1.0 / half_m;
     box(2, 2) = -2.0 / (kDepthRange * reach_m);
     box(2, 3) = -1.0;
 
-    Eigen::Matrix4d to_unit = 0.5 * Eigen::Matrix4d::Identity();
+    Matrix4 to_unit = 0.5 * Matrix4::Identity();
     to_unit.block<3, 1>(0, 3).setConstant(0.5);
     to_unit(3, 3) = 1.0;
 

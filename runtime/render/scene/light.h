@@ -7,8 +7,6 @@
 
 #include "runtime/render/camera.h"
 
-#include <Eigen/Core>
-
 namespace fulcrum::runtime {
 
 /// How far shadows reach on the floor, as a part of the camera's distance.
@@ -16,11 +14,11 @@ inline constexpr double kLightReach = 0.85;
 
 /// A light from infinitely far away, and the square on the floor that its shadow map covers.
 struct Light {
-    Eigen::Vector3f to_light{Eigen::Vector3f::UnitY()};  ///< for shading; unit length, world
-    Eigen::Vector3f to_lamp{Eigen::Vector3f::UnitY()};   ///< for shadows; unit length, world
-    Eigen::Matrix4f clip_from_world{Eigen::Matrix4f::Identity()};    ///< for drawing the map
-    Eigen::Matrix4f shadow_from_world{Eigen::Matrix4f::Identity()};  ///< 0 to 1 in x y z
-    Eigen::Vector3f centre_W{Eigen::Vector3f::Zero()};               ///< on the floor
+    Vector3f to_light{Vector3f::UnitY()};              ///< for shading; unit length, world
+    Vector3f to_lamp{Vector3f::UnitY()};               ///< for shadows; unit length, world
+    Matrix4f clip_from_world{Matrix4f::Identity()};    ///< for drawing the map
+    Matrix4f shadow_from_world{Matrix4f::Identity()};  ///< 0 to 1 in x y z
+    Vector3f centre_W{Vector3f::Zero()};               ///< on the floor
     float reach_m = 1.0F;  ///< the floor within this of the centre is covered
     float texel_m = 0.0F;  ///< side of a shadow map texel
 };

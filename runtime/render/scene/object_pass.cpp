@@ -19,7 +19,7 @@ void set_model(const gl::Program& program, const Placement& placement) {
     program.set("u_normal_from_model", placement.normal_from_model);
 }
 
-Eigen::Vector4f as_vector(const Colour& colour) {
+Vector4f as_vector(const Colour& colour) {
     return {colour.r, colour.g, colour.b, colour.a};
 }
 
@@ -80,16 +80,15 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
         program->set("u_eye", frame.eye_W);
         program->set("u_centre", frame.light.centre_W);
         program->set("u_fade_m", kHazeReach * frame.light.reach_m);
-        program->set("u_horizon", Eigen::Vector3f(theme::kWallBottom.r, theme::kWallBottom.g,
-                                                  theme::kWallBottom.b));
+        program->set("u_horizon",
+                     Vector3f(theme::kWallBottom.r, theme::kWallBottom.g, theme::kWallBottom.b));
     }
     lit_unshaded_.use();
-    lit_unshaded_.set("u_meadow",
-                      Eigen::Vector3f(theme::kFloor.r, theme::kFloor.g, theme::kFloor.b));
+    lit_unshaded_.set("u_meadow", Vector3f(theme::kFloor.r, theme::kFloor.g, theme::kFloor.b));
     outline_.use();
     outline_.set("u_clip_from_world", frame.clip_from_world);
-    outline_.set("u_pixel", Eigen::Vector2f(2.0F / static_cast<float>(frame.width_px),
-                                            2.0F / static_cast<float>(frame.height_px)));
+    outline_.set("u_pixel", Vector2f(2.0F / static_cast<float>(frame.width_px),
+                                     2.0F / static_cast<float>(frame.height_px)));
     ghost_.use();
     ghost_.set("u_clip_from_world", frame.clip_from_world);
     ghost_.set("u_eye", frame.eye_W);
@@ -105,8 +104,9 @@ void ObjectPass::draw_of_material(const gl::Mesh& mesh, const Placement& placeme
                                   std::size_t level, int look) const {
     lit_of_material_.use();
     lit_of_material_.set("u_look", look);
-    const Eigen::Matrix3f stretched = placement.world_from_model.topLeftCorner<3, 3>();
-    lit_of_material_.set("u_stretch", Eigen::Vector3f(stretched.colwise().norm().transpose()));
+    const Matrix3f stretched = placement.world_from_model.topLeftCorner<3, 3>();
+    lit_of_material_.set("u_stretch", Vector3f(stretched.col(0).norm(), stretched.col(1).norm(),
+                                               stretched.col(2).norm()));
     draw_with(lit_of_material_, mesh, placement, level);
 }
 
@@ -127,7 +127,7 @@ void ObjectPass::draw_with(const gl::Program& program, const gl::Mesh& mesh,
                                    : white_.name();
         glBindTexture(GL_TEXTURE_2D, picture);
         const auto& c = part.base_colour;
-        program.set("u_base_colour", Eigen::Vector4f(c[0], c[1], c[2], c[3]));
+        program.set("u_base_colour", Vector4f(c[0], c[1], c[2], c[3]));
         program.set("u_roughness", part.roughness);
         gl::draw(part);
     }

@@ -20,8 +20,8 @@ inline constexpr float kHazeReach = 7.0F;
 
 /// What every model in a frame is drawn with.
 struct SceneFrame {
-    Eigen::Matrix4f clip_from_world{Eigen::Matrix4f::Identity()};
-    Eigen::Vector3f eye_W{Eigen::Vector3f::Zero()};
+    Matrix4f clip_from_world{Matrix4f::Identity()};
+    Vector3f eye_W{Vector3f::Zero()};
     Light light;
     int width_px = 1;
     int height_px = 1;

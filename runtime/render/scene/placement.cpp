@@ -30,20 +30,19 @@ std::optional<Placement> place(const Pose& pose_W, const Vector3& scale) {
     return placement;
 }
 
-Bounds bounds_of(const Placement& placement, const Eigen::Vector3f& lowest,
-                 const Eigen::Vector3f& highest) {
-    const Eigen::Vector3f middle = 0.5F * (lowest + highest);
-    const Eigen::Vector3f half = 0.5F * (highest - lowest);
-    const Eigen::Matrix3f turn = placement.world_from_model.topLeftCorner<3, 3>();
-    const Eigen::Vector3f centre =
-        turn * middle + placement.world_from_model.topRightCorner<3, 1>();
-    const Eigen::Vector3f half_W = turn.cwiseAbs() * half;
+Bounds bounds_of(const Placement& placement, const Vector3f& lowest, const Vector3f& highest) {
+    const Vector3f middle = 0.5F * (lowest + highest);
+    const Vector3f half = 0.5F * (highest - lowest);
+    const Matrix3f turn = placement.world_from_model.topLeftCorner<3, 3>();
+    const Vector3f centre = turn * middle + placement.world_from_model.topRightCorner<3, 1>();
+    const Vector3f half_W = turn.cwiseAbs() * half;
     Bounds bounds;
     bounds.centre_W = centre.cast<double>();
     // The smaller of the turned box and the longest side's ball, so that a turning fruit's mark
     // does not swell.
-    const double longest =
-        static_cast<double>((turn * half.asDiagonal()).colwise().norm().maxCoeff());
+    const Matrix3f sides = turn * half.asDiagonal();
+    const double longest = static_cast<double>(
+        std::max({sides.col(0).norm(), sides.col(1).norm(), sides.col(2).norm()}));
     bounds.radius_m = longest;
     bounds.enclosing_radius_m = static_cast<double>(half_W.norm());
     bounds.half_width_m = std::min(static_cast<double>(std::max(half_W.x(), half_W.z())), longest);

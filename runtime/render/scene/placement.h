@@ -7,15 +7,14 @@
 
 #include "haptics/math/spatial.h"
 
-#include <Eigen/Core>
 #include <optional>
 
 namespace fulcrum::runtime {
 
 /// A model's transform in single precision.
 struct Placement {
-    Eigen::Matrix4f world_from_model{Eigen::Matrix4f::Identity()};
-    Eigen::Matrix3f normal_from_model{Eigen::Matrix3f::Identity()};  ///< result not of unit length
+    Matrix4f world_from_model{Matrix4f::Identity()};
+    Matrix3f normal_from_model{Matrix3f::Identity()};  ///< result not of unit length
     bool mirrored = false;  ///< turns left into right, and fronts into backs
 };
 
@@ -34,7 +33,7 @@ struct Bounds {
 };
 
 /// Bounds of a box given by two corners in model space.
-[[nodiscard]] Bounds bounds_of(const Placement& placement, const Eigen::Vector3f& lowest,
-                               const Eigen::Vector3f& highest);
+[[nodiscard]] Bounds bounds_of(const Placement& placement, const Vector3f& lowest,
+                               const Vector3f& highest);
 
 }  // namespace fulcrum::runtime

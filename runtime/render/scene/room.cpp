@@ -79,14 +79,14 @@ std::vector<float> floor_corners() {
 /// Strips from the bottom to the top of the picture; light grows cooler above the horizon.
 std::vector<float> wall_corners(const Camera& camera) {
     // The horizon's height in the picture, -1 bottom to 1 top.
-    const Eigen::Matrix4f clip = camera.clip_from_world();
+    const Matrix4f clip = camera.clip_from_world();
     const Vector3 level = Vector3(camera.forward_W().x(), 0.0, camera.forward_W().z());
     float horizon = 1.0F;
     if (level.norm() > 1e-6) {
         const Vector3 far = camera.eye_W() + 1e4 * camera.distance_m() * level.normalized();
-        const Eigen::Vector4f seen =
-            clip * Eigen::Vector4f(static_cast<float>(far.x()), static_cast<float>(far.y()),
-                                   static_cast<float>(far.z()), 1.0F);
+        const Vector4f seen =
+            clip * Vector4f(static_cast<float>(far.x()), static_cast<float>(far.y()),
+                            static_cast<float>(far.z()), 1.0F);
         horizon = seen.w() > 0.0F ? std::clamp(seen.y() / seen.w(), -1.0F, 1.0F) : 1.0F;
     }
     std::vector<float> corners;
@@ -126,10 +126,10 @@ void add_mark(std::vector<float>& corners, const FloorMark& mark, float floor_m,
 void add_shadow(std::vector<float>& corners, const Bounds& caster, const Light& light) {
     constexpr float kSoftTexels = 6.0F;
     constexpr float kLift = 0.0005F;  // above the floor, in reaches of the light
-    const Eigen::Vector3f centre = caster.centre_W.cast<float>();
-    const Eigen::Vector3f to_lamp = light.to_lamp;
+    const Vector3f centre = caster.centre_W.cast<float>();
+    const Vector3f to_lamp = light.to_lamp;
     const float height = centre.y() - light.centre_W.y();
-    const Eigen::Vector3f middle = centre - to_lamp * (height / to_lamp.y());
+    const Vector3f middle = centre - to_lamp * (height / to_lamp.y());
     const float half =
         static_cast<float>(caster.enclosing_radius_m) * 1.05F + kSoftTexels * light.texel_m;
     const float floor = light.centre_W.y() + kLift * light.reach_m;
@@ -140,7 +140,7 @@ void add_shadow(std::vector<float>& corners, const Bounds& caster, const Light& 
     }
 }
 
-Eigen::Vector3f as_stored(const Colour& colour) {
+Vector3f as_stored(const Colour& colour) {
     return {colour.r, colour.g, colour.b};
 }
 

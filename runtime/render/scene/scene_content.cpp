@@ -62,9 +62,9 @@ bool lies_in(const SceneItem& item, const SceneItem& hand) {
 
 /// Half of an item's extent across the picture.
 double half_width_seen_m(const Camera& camera, const SceneItem& item) {
-    const Eigen::Matrix3f turn = item.placement.world_from_model.topLeftCorner<3, 3>();
-    const Eigen::Vector3f half = 0.5F * (item.mesh->highest - item.mesh->lowest);
-    const Eigen::Vector3f across = turn.transpose() * camera.right_W().cast<float>();
+    const Matrix3f turn = item.placement.world_from_model.topLeftCorner<3, 3>();
+    const Vector3f half = 0.5F * (item.mesh->highest - item.mesh->lowest);
+    const Vector3f across = turn.transpose() * camera.right_W().cast<float>();
     // A box would be right with a sum; most things are round, as an ellipsoid is.
     return static_cast<double>(across.cwiseProduct(half).norm());
 }
@@ -109,19 +109,19 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
                        static_cast<float>(middle->position_px.y())};
     label.radius_px = static_cast<float>(1.3 * arrow.radius_m * camera.px_per_m(middle->depth_m));
     // An arrow along the line of sight has no direction in the picture.
-    const Eigen::Vector2d way = tip->position_px - tail->position_px;
+    const Vector2 way = tip->position_px - tail->position_px;
     if (way.norm() > 1.0) {
-        const Eigen::Vector2d unit = way.normalized();
+        const Vector2 unit = way.normalized();
         label.direction = {static_cast<float>(unit.x()), static_cast<float>(unit.y())};
         // The words stand beside the arrow, also when it lies across.
         label.radius_px = std::max(
             label.radius_px, static_cast<float>(0.5 * std::abs(way.x())) + 0.5F * label.radius_px);
     }
     const auto head_px = static_cast<float>(arrow.radius_m * camera.px_per_m(middle->depth_m));
-    const Eigen::Vector2f low =
-        tail->position_px.cwiseMin(tip->position_px).cast<float>().array() - head_px;
-    const Eigen::Vector2f high =
-        tail->position_px.cwiseMax(tip->position_px).cast<float>().array() + head_px;
+    const Vector2f low =
+        tail->position_px.cwiseMin(tip->position_px).cast<float>() - Vector2f::Constant(head_px);
+    const Vector2f high =
+        tail->position_px.cwiseMax(tip->position_px).cast<float>() + Vector2f::Constant(head_px);
     label.covers = {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
     content.labels.push_back(std::move(label));
 }

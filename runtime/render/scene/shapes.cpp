@@ -1,6 +1,7 @@
 #include "runtime/render/scene/shapes.h"
 
-#include <Eigen/Core>
+#include "haptics/math/matrix.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -13,16 +14,14 @@ constexpr float kCreaseCosine = 0.866F;  // 30 degrees
 using Profile = std::vector<std::array<float, 2>>;
 
 /// The outward direction of a piece of the profile, in the plane of radius and height.
-Eigen::Vector2f outwards(const std::array<float, 2>& from, const std::array<float, 2>& to) {
-    const Eigen::Vector2f way(to[0] - from[0], to[1] - from[1]);
+Vector2f outwards(const std::array<float, 2>& from, const std::array<float, 2>& to) {
+    const Vector2f way(to[0] - from[0], to[1] - from[1]);
     const float length = way.norm();
-    return length > 0.0F ? Eigen::Vector2f(way.y() / length, -way.x() / length)
-                         : Eigen::Vector2f(1.0F, 0.0F);
+    return length > 0.0F ? Vector2f(way.y() / length, -way.x() / length) : Vector2f(1.0F, 0.0F);
 }
 
 /// One ring of corners, all with the same slope of normal.
-void add_ring(ModelPrimitive& primitive, const std::array<float, 2>& point,
-              const Eigen::Vector2f& slope) {
+void add_ring(ModelPrimitive& primitive, const std::array<float, 2>& point, const Vector2f& slope) {
     for (int i = 0; i <= kAround; ++i) {
         // The last corner lies exactly on the first, so that the surface closes.
         const float turn =
@@ -56,14 +55,13 @@ LoadedModel make_lathe(const Profile& profile, std::array<float, 4> colour) {
     primitive.base_colour = colour;
     primitive.roughness = 0.5F;
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-        const Eigen::Vector2f own = outwards(profile[i], profile[i + 1]);
+        const Vector2f own = outwards(profile[i], profile[i + 1]);
         // A neighbour that bends gently shares the normal.
-        const auto blended = [&](const Eigen::Vector2f& other) -> Eigen::Vector2f {
-            return own.dot(other) > kCreaseCosine ? Eigen::Vector2f((own + other).normalized())
-                                                  : own;
+        const auto blended = [&](const Vector2f& other) -> Vector2f {
+            return own.dot(other) > kCreaseCosine ? Vector2f((own + other).normalized()) : own;
         };
-        const Eigen::Vector2f below = i > 0 ? blended(outwards(profile[i - 1], profile[i])) : own;
-        const Eigen::Vector2f above =
+        const Vector2f below = i > 0 ? blended(outwards(profile[i - 1], profile[i])) : own;
+        const Vector2f above =
             i + 2 < profile.size() ? blended(outwards(profile[i + 1], profile[i + 2])) : own;
         const auto low = static_cast<std::uint32_t>(primitive.positions.size() / 3);
         add_ring(primitive, profile[i], below);

@@ -18,7 +18,7 @@ constexpr float kOrbit_px = 2.0F;   // at 720
 constexpr float kSmallestStar_px = 1.0F;
 constexpr float kLargestStar_px = 2.6F;
 
-using Corner = Eigen::Vector2f;  // in pixels
+using Corner = Vector2f;  // in pixels
 
 /// 0 to 1, another one for each i, the same in every run.
 double chance(std::uint32_t i) {

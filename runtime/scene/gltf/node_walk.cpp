@@ -1,12 +1,11 @@
 #include "runtime/scene/gltf/node_walk.h"
 
+#include "haptics/math/affine.h"
 #include "haptics/math/length.h"
 #include "runtime/scene/gltf/limits.h"
 
 #include <tiny_gltf.h>
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <cmath>
 #include <string>
 
@@ -26,32 +25,31 @@ constexpr double kMinQuaternionLength = 1e-3;
 constexpr double kMaxQuaternionLength = 1e3;
 
 bool is_rotation(const std::vector<double>& q) {
-    const double length = q.size() == 4 ? compute_length(Eigen::Vector4d(q.data())) : 1.0;
+    const double length = q.size() == 4 ? compute_length(Vector4(q.data())) : 1.0;
     return length > kMinQuaternionLength && length < kMaxQuaternionLength;
 }
 
 /// X_PN from the node's matrix or from its translation, rotation and scale.
-Eigen::Matrix4d local_transform(const tinygltf::Node& node) {
+Matrix4 local_transform(const tinygltf::Node& node) {
     if (node.matrix.size() == 16) {
-        return Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
+        return Matrix4(node.matrix.data());
     }
-    Eigen::Affine3d X_PN = Eigen::Affine3d::Identity();
+    Affine X_PN = Affine::Identity();
     if (node.translation.size() == 3) {
-        X_PN.translate(Eigen::Vector3d(node.translation.data()));
+        X_PN.translate(Vector3(node.translation.data()));
     }
     if (node.rotation.size() == 4) {
-        const Eigen::Quaterniond q(node.rotation[3], node.rotation[0], node.rotation[1],
-                                   node.rotation[2]);
+        const Quaternion q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
         X_PN.rotate(q.normalized());
     }
     if (node.scale.size() == 3) {
-        X_PN.scale(Eigen::Vector3d(node.scale.data()));
+        X_PN.scale(Vector3(node.scale.data()));
     }
     return X_PN.matrix();
 }
 
-bool usable(const Eigen::Matrix4d& transform) {
-    const bool affine = transform.row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1), 1e-6);
+bool usable(const Matrix4& transform) {
+    const bool affine = (transform.row(3).transpose() - Vector4(0, 0, 0, 1)).norm() <= 1e-6;
     const double volume = std::abs(transform.topLeftCorner<3, 3>().determinant());
     return transform.allFinite() && affine && volume > kMinVolumeFactor && std::isfinite(volume);
 }
@@ -108,7 +106,7 @@ Expected<std::vector<std::size_t>> find_roots(const tinygltf::Model& model) {
 struct Visit {
     std::size_t node;
     int depth;
-    Eigen::Matrix4d X_MP;
+    Matrix4 X_MP;
 };
 
 }  // namespace
@@ -120,7 +118,7 @@ Expected<std::vector<PlacedMesh>> place_meshes(const tinygltf::Model& model) {
     }
     std::vector<Visit> open;
     for (auto root = roots->rbegin(); root != roots->rend(); ++root) {
-        open.push_back({*root, 1, Eigen::Matrix4d::Identity()});
+        open.push_back({*root, 1, Matrix4::Identity()});
     }
     std::vector<PlacedMesh> placed;
     while (!open.empty()) {
@@ -130,7 +128,7 @@ Expected<std::vector<PlacedMesh>> place_meshes(const tinygltf::Model& model) {
             return refuse(visit.node, "lies more than 64 nodes deep");
         }
         const auto& node = model.nodes[visit.node];
-        const Eigen::Matrix4d X_MN = visit.X_MP * local_transform(node);
+        const Matrix4 X_MN = visit.X_MP * local_transform(node);
         if (!is_rotation(node.rotation) || !usable(X_MN)) {
             return refuse(visit.node, "has a transform that flattens or blows up what it holds");
         }

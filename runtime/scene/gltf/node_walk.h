@@ -7,8 +7,8 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/math/matrix.h"
 
-#include <Eigen/Core>
 #include <vector>
 
 namespace tinygltf {
@@ -20,7 +20,7 @@ namespace fulcrum::runtime::gltf {
 /// A mesh and the transform that brings it into model space.
 struct PlacedMesh {
     std::size_t mesh = 0;
-    Eigen::Matrix4d X_MN = Eigen::Matrix4d::Identity();  ///< affine, invertible, finite
+    Matrix4 X_MN = Matrix4::Identity();  ///< affine, invertible, finite
 };
 
 /// Refuses cycles, a node with two parents, more than kMaxNodeDepth levels, and a transform that is

@@ -5,8 +5,6 @@
 
 #include <tiny_gltf.h>
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,23 +12,21 @@
 namespace fulcrum::runtime::gltf {
 namespace {
 
-using Eigen::Vector3d;
-
 /// Below this length a normal has no direction worth keeping.
 constexpr double kMinNormalLength = 1e-6;
 constexpr std::size_t kCorner_bytes = (3 + 3 + 2) * sizeof(float) + sizeof(std::uint32_t);
 
-Vector3d vector_at(const AccessorView& view, std::size_t i) {
+Vector3 vector_at(const AccessorView& view, std::size_t i) {
     return {view.number(i, 0), view.number(i, 1), view.number(i, 2)};
 }
 
-void append(std::vector<float>& to, const Vector3d& v) {
+void append(std::vector<float>& to, const Vector3& v) {
     for (int k = 0; k < 3; ++k) {
         to.push_back(static_cast<float>(v[k]));
     }
 }
 
-Vector3d corner(const ModelPrimitive& made, std::uint32_t i) {
+Vector3 corner(const ModelPrimitive& made, std::uint32_t i) {
     const float* p = made.positions.data() + 3 * std::size_t{i};
     return {p[0], p[1], p[2]};
 }
@@ -39,8 +35,7 @@ Vector3d corner(const ModelPrimitive& made, std::uint32_t i) {
 class PrimitiveReader {
   public:
     PrimitiveReader(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-                    const Eigen::Matrix4d& transform_MN, const std::string& place,
-                    MemoryBudget& budget)
+                    const Matrix4& transform_MN, const std::string& place, MemoryBudget& budget)
         : model_(model),
           primitive_(primitive),
           transform_MN_(transform_MN),
@@ -117,8 +112,10 @@ class PrimitiveReader {
             return fail(kTooMuchMemory, {}, kReduce);
         }
         made_.positions.reserve(3 * view->count);
+        const Matrix3 turn_MN = transform_MN_.topLeftCorner<3, 3>();
+        const Vector3 origin_M = transform_MN_.topRightCorner<3, 1>();
         for (std::size_t i = 0; i < view->count; ++i) {
-            const Vector3d p_M = (transform_MN_ * vector_at(*view, i).homogeneous()).head<3>();
+            const Vector3 p_M = turn_MN * vector_at(*view, i) + origin_M;
             if (!(p_M.cwiseAbs().maxCoeff() <= kMaxExtent_m) || !p_M.allFinite()) {
                 return refuse("has a corner that is not finite or more than 10 km away");
             }
@@ -189,14 +186,14 @@ class PrimitiveReader {
         if (!view) {
             return tl::unexpected(view.error());
         }
-        const Eigen::Matrix3d to_M = transform_MN_.topLeftCorner<3, 3>().inverse().transpose();
+        const Matrix3 to_M = transform_MN_.topLeftCorner<3, 3>().inverse().transpose();
         made_.normals.reserve(3 * view->count);
         for (std::size_t i = 0; i < view->count; ++i) {
-            const Vector3d n_N = vector_at(*view, i);
+            const Vector3 n_N = vector_at(*view, i);
             if (!n_N.allFinite()) {
                 return refuse("has a normal that is not finite");
             }
-            const Vector3d n_M = to_M * compute_direction(n_N);
+            const Vector3 n_M = to_M * compute_direction(n_N);
             if (n_N.norm() < kMinNormalLength || !(compute_length(n_M) > 0.0)) {
                 return make_flat();
             }
@@ -216,11 +213,11 @@ class PrimitiveReader {
         flat.roughness = made_.roughness;
         for (std::size_t i = 0; i < made_.indices.size(); i += 3) {
             const std::uint32_t* t = made_.indices.data() + i;
-            const Vector3d a = corner(made_, t[0]);
-            const Vector3d across = (corner(made_, t[1]) - a).cross(corner(made_, t[2]) - a);
+            const Vector3 a = corner(made_, t[0]);
+            const Vector3 across = (corner(made_, t[1]) - a).cross(corner(made_, t[2]) - a);
             // A triangle without area has no direction; any unit vector keeps the promise.
-            const Vector3d n =
-                compute_length(across) > 0.0 ? compute_direction(across) : Vector3d::UnitY();
+            const Vector3 n =
+                compute_length(across) > 0.0 ? compute_direction(across) : Vector3::UnitY();
             for (int k = 0; k < 3; ++k) {
                 flat.indices.push_back(static_cast<std::uint32_t>(flat.positions.size() / 3));
                 append(flat.positions, corner(made_, t[k]));
@@ -235,7 +232,7 @@ class PrimitiveReader {
 
     const tinygltf::Model& model_;
     const tinygltf::Primitive& primitive_;
-    const Eigen::Matrix4d& transform_MN_;
+    const Matrix4& transform_MN_;
     const std::string& place_;
     MemoryBudget& budget_;
     std::string uv_name_ = "TEXCOORD_0";
@@ -246,8 +243,8 @@ class PrimitiveReader {
 
 Expected<ModelPrimitive> read_primitive(const tinygltf::Model& model,
                                         const tinygltf::Primitive& primitive,
-                                        const Eigen::Matrix4d& transform_MN,
-                                        const std::string& place, MemoryBudget& budget) {
+                                        const Matrix4& transform_MN, const std::string& place,
+                                        MemoryBudget& budget) {
     return PrimitiveReader(model, primitive, transform_MN, place, budget).read();
 }
 

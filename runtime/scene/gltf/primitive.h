@@ -7,10 +7,10 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/math/matrix.h"
 #include "runtime/scene/gltf/limits.h"
 #include "runtime/scene/model.h"
 
-#include <Eigen/Core>
 #include <string>
 
 namespace tinygltf {
@@ -25,7 +25,7 @@ namespace fulcrum::runtime::gltf {
 /// the budget has room for.
 [[nodiscard]] Expected<ModelPrimitive> read_primitive(const tinygltf::Model& model,
                                                       const tinygltf::Primitive& primitive,
-                                                      const Eigen::Matrix4d& transform_MN,
+                                                      const Matrix4& transform_MN,
                                                       const std::string& place,
                                                       MemoryBudget& budget);
 

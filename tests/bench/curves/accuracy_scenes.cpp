@@ -20,7 +20,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDeep_m = 0.01;
 constexpr double kRadius_m = 0.5;  // of ball and cylinder
 // From the upright scene to the lattice.
-const Quaternion kAskew(Eigen::AngleAxisd(0.4, Vector3(1.0, 2.0, 3.0).normalized()));
+const Quaternion kAskew(AngleAxis(0.4, Vector3(1.0, 2.0, 3.0).normalized()));
 // The tool's middle in its own frame.
 const Vector3 kMiddle_T(0.2, 0.1, -0.15);
 
@@ -154,7 +154,7 @@ AccuracyScene make_cylinder_box(int n_poses) {
     for (int i = 0; i < n_poses; ++i) {
         const Vector3 middle_U(0.3 * random.uniform(), h + 0.5 * size_m.y(),
                                0.4 * random.uniform());
-        const Quaternion half_turn(Eigen::AngleAxisd(i % 2 == 0 ? 0.0 : kPi, Vector3::UnitY()));
+        const Quaternion half_turn(AngleAxis(i % 2 == 0 ? 0.0 : kPi, Vector3::UnitY()));
         scene.X_OT.push_back(place(middle_U, half_turn));
         // The face's middle is beside the line that touches: the push goes through the line.
         Wrench wrench = push_up(scene.X_OT.back(), force_N);

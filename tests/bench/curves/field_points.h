@@ -29,7 +29,7 @@ struct FieldPointsTask {
     return {std::move(mesh),
             frame,
             std::move(shell),
-            {{0.01, -0.012, 0.008}, Quaternion(Eigen::AngleAxisd(0.4, Vector3::UnitZ()))}};
+            {{0.01, -0.012, 0.008}, Quaternion(AngleAxis(0.4, Vector3::UnitZ()))}};
 }
 
 /// Root mean square of value - (|p| - 1), voxels.

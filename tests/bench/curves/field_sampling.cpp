@@ -101,7 +101,7 @@ std::vector<Pose> make_socket_way(const Scene& scene, double speed, int n, doubl
     for (int i = -kSettle; i < n; ++i) {
         const double angle = turn_rad * std::sin(kTurning * speed * kTick_s * i / turn_rad);
         const Pose X_OT{pressed_m * wanderer.next(),
-                        Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitY()))};
+                        Quaternion(AngleAxis(angle, Vector3::UnitY()))};
         const double excess =
             static_cast<double>(sampler.step({}, X_OT).n_touching) / n_wanted - 1.0;
         const double most_m = i < 0 ? 0.02 * voxel_m : std::min(0.02 * voxel_m, 0.3 * step_m);

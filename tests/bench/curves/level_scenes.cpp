@@ -122,8 +122,8 @@ LevelScene make_spoon_scene(int fineness, int n_steps) {
         const double t = static_cast<double>(i) / n_steps;
         const double round = kTurn * t;
         // Bowl down, leaning outwards, so that the stem meets the rim and the bowl the bottom.
-        const Quaternion lean(Eigen::AngleAxisd(round, Vector3::UnitY()) *
-                              Eigen::AngleAxisd(std::numbers::pi / 2.0 - 0.35, Vector3::UnitZ()));
+        const Quaternion lean(AngleAxis(round, Vector3::UnitY()) *
+                              AngleAxis(std::numbers::pi / 2.0 - 0.35, Vector3::UnitZ()));
         const double outwards_m = 0.016 * std::min(5.0 * t, 1.0);
         scene.hands.push_back(
             {Vector3(outwards_m * std::cos(round), 0.012 - 0.011 * std::min(5.0 * t, 1.0),

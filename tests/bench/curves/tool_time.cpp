@@ -44,7 +44,7 @@ MovingFrame find_hand(double now_s) {
     const Vector3 at(0.004 * std::sin(9.0 * now_s), kTop_m + 0.5 * kThick_m - down_m,
                      2.0e-5 * std::sin(63.0 * now_s));
     const double askew = 0.003 * std::sin(5.0 * now_s);
-    return {Pose{at, Quaternion(Eigen::AngleAxisd(askew, Vector3::UnitX()))}, {}};
+    return {Pose{at, Quaternion(AngleAxis(askew, Vector3::UnitX()))}, {}};
 }
 
 struct Found {

@@ -56,8 +56,8 @@ class Limit {
     }
     [[nodiscard]] unsigned read(const Pose& pose) const {
         // Turned as the tool is, about the map's own middle: every place lies in the map.
-        const Eigen::Matrix3f R = 0.5F * pose.orientation.toRotationMatrix().cast<float>();
-        const Eigen::Vector3f t =
+        const Matrix3f R = 0.5F * pose.orientation.toRotationMatrix().cast<float>();
+        const Vector3f t =
             grid_.frame.to_lattice(0.5 * (grid_.frame.lower_O + grid_.frame.upper_O()))
                 .cast<float>();
         const auto [nx, ny, nz] = grid_.frame.n_cells;

@@ -1,5 +1,6 @@
 // FCL: its continuous collision of triangles and meshes (bounding volumes OBBRSS), with the same motion as ours: straight on, turning evenly.
 // Its tolerance is one of time, a share of the way.
+#include "haptics/math/to_eigen.h"
 #include "tests/bench/curves/continuous_ways.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -16,7 +17,7 @@ std::shared_ptr<Model> make_model(std::span<const Triangle> triangles) {
     auto model = std::make_shared<Model>();
     model->beginModel(static_cast<int>(triangles.size()), 3 * static_cast<int>(triangles.size()));
     for (const Triangle& t : triangles) {
-        model->addTriangle(t[0], t[1], t[2]);
+        model->addTriangle(to_eigen(t[0]), to_eigen(t[1]), to_eigen(t[2]));
     }
     model->endModel();
     return model;
@@ -24,8 +25,8 @@ std::shared_ptr<Model> make_model(std::span<const Triangle> triangles) {
 
 fcl::Transform3d to_transform(const Pose& pose) {
     fcl::Transform3d transform = fcl::Transform3d::Identity();
-    transform.linear() = pose.orientation.toRotationMatrix();
-    transform.translation() = pose.position;
+    transform.linear() = to_eigen(pose.orientation.toRotationMatrix());
+    transform.translation() = to_eigen(pose.position);
     return transform;
 }
 

@@ -28,8 +28,10 @@ std::string describe(const StackScene& scene, bool is_hard) {
         // Its plane looks along z.
         << "<geom type=\"plane\" size=\"0 0 1\" zaxis=\"0 1 0\"/>";
     for (const StackBox& box : scene.boxes) {
-        xml << "<body pos=\"" << box.at_W.transpose() << "\"><freejoint/><geom type=\"box\" size=\""
-            << box.half_m.transpose() << "\" mass=\"" << box.mass_kg << "\"/></body>";
+        xml << "<body pos=\"" << box.at_W.x() << ' ' << box.at_W.y() << ' ' << box.at_W.z()
+            << "\"><freejoint/><geom type=\"box\" size=\"" << box.half_m.x() << ' '
+            << box.half_m.y() << ' ' << box.half_m.z() << "\" mass=\"" << box.mass_kg
+            << "\"/></body>";
     }
     xml << "</worldbody></mujoco>";
     return xml.str();

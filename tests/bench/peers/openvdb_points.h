@@ -17,7 +17,7 @@ namespace fulcrum::bench {
     std::vector<openvdb::Vec3s> vertices;
     std::vector<openvdb::Vec3I> triangles;
     for (const Vector3& v : task.mesh.vertices_B()) {
-        const Eigen::Vector3f at = v.cast<float>();
+        const Vector3f at = v.cast<float>();
         vertices.emplace_back(at.x(), at.y(), at.z());
     }
     for (const TriangleCorners& t : task.mesh.triangles()) {

@@ -14,7 +14,7 @@ struct OpenVdbSample {
     Vector3 slope;
 };
 inline OpenVdbSample read_openvdb(openvdb::FloatGrid::ConstAccessor& field, const Vector3& at) {
-    const Vector3 low = at.array().floor();
+    const Vector3 low = at.cwiseFloor();
     const Vector3 u = at - low;
     const openvdb::Coord corner(static_cast<int>(low.x()), static_cast<int>(low.y()),
                                 static_cast<int>(low.z()));

@@ -120,7 +120,7 @@ Finding fly_through(double thickness_m, double turn_rad_per_s) {
         const Vector3 velocity = (0.5 + 2.25 * (1.0 + random.uniform())) * random.direction();
         const Vector3 place_B = 0.7 * half.cwiseProduct(random.in_cube());
         const auto pose_at = [&](double t_s) {
-            const Quaternion now = Quaternion(Eigen::AngleAxisd(turn_rad_per_s * t_s, axis)) * turn;
+            const Quaternion now = Quaternion(AngleAxis(turn_rad_per_s * t_s, axis)) * turn;
             return Pose{velocity * t_s - now * place_B, now};
         };
         VirtualProxy proxy = make_ball(mesh, kRadius_m, pose_at(-0.1));

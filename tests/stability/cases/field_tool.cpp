@@ -172,8 +172,7 @@ TriangleMesh make_tangle(int n_ring, int n_tube) {
     const TriangleMesh ring = make_torus(0.02, 0.004, n_ring, n_tube).value();
     Random random(7);
     for (int i = 0; i < 64; ++i) {
-        const Quaternion turn(
-            Eigen::AngleAxisd(std::numbers::pi * random.uniform(), random.direction()));
+        const Quaternion turn(AngleAxis(std::numbers::pi * random.uniform(), random.direction()));
         const Vector3 place = 0.03 * Vector3(i % 4 - 1.5, i / 4 % 4 - 1.5, i / 16 - 1.5);
         const auto first = static_cast<std::int32_t>(corners.size());
         for (const Vector3& corner : ring.vertices_B()) {

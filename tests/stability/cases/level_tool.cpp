@@ -187,11 +187,10 @@ TriangleMesh make_block(double size = 1.0) {
 // A block along z with twenty slivers of a micrometre in the middle of each side.
 TriangleMesh make_slivered() {
     constexpr int kSlivers = 20;
-    std::vector<Eigen::Vector2d> corners;
+    std::vector<Vector2> corners;
     for (int side = 0; side < 4; ++side) {
-        const Eigen::Rotation2Dd turn(0.5 * std::numbers::pi * side);
-        const Eigen::Vector2d out = (turn * Eigen::Vector2d::UnitX()).array().round();
-        const Eigen::Vector2d along = (turn * Eigen::Vector2d::UnitY()).array().round();
+        const Vector2 out = turn_quarters(Vector2::UnitX(), side);
+        const Vector2 along = turn_quarters(Vector2::UnitY(), side);
         corners.emplace_back(0.02 * out - 0.02 * along);
         for (int i = 0; i <= kSlivers; ++i) {
             corners.emplace_back(0.02 * out + 1.0e-6 * (i - 0.5 * kSlivers) * along);

@@ -99,11 +99,10 @@ Finding compare_broken(const TriangleMesh& broken, double most_off_N, double mos
 
 // A bar of 20 mm with a band of slivers, each a micrometre wide, along the middle of each side.
 TriangleMesh make_slivered_bar() {
-    std::vector<Eigen::Vector2d> corners;
+    std::vector<Vector2> corners;
     for (int side = 0; side < 4; ++side) {
-        const Eigen::Rotation2Dd turn(0.5 * std::numbers::pi * side);
-        const Eigen::Vector2d out = (turn * Eigen::Vector2d::UnitX()).array().round();
-        const Eigen::Vector2d along = (turn * Eigen::Vector2d::UnitY()).array().round();
+        const Vector2 out = turn_quarters(Vector2::UnitX(), side);
+        const Vector2 along = turn_quarters(Vector2::UnitY(), side);
         corners.emplace_back(0.01 * out - 0.01 * along);
         for (int i = -10; i <= 10; ++i) {
             corners.emplace_back(0.01 * out + 1.0e-6 * i * along);

@@ -76,12 +76,12 @@ class Flight {
     [[nodiscard]] const Vector3& hand_W() const { return hand_W_; }
     [[nodiscard]] Pose pose_at(int tick) const {
         const double t_s = kTick_s * (tick - 0.5 * kTicks);
-        const Quaternion turn(Eigen::AngleAxisd(turn_rad_per_s_ * t_s, axis_));
+        const Quaternion turn(AngleAxis(turn_rad_per_s_ * t_s, axis_));
         return {hand_W_ - met_W_ + velocity_W_ * t_s, turn * meeting_turn_};
     }
     [[nodiscard]] bool begins_outside(const Vector3& size_m) const {
         const Vector3 hand_B = pose_at(0).inverse() * hand_W_;
-        return (hand_B.cwiseAbs().array() > 0.5 * size_m.array()).any();
+        return !all_at_most(hand_B.cwiseAbs(), 0.5 * size_m);
     }
 
   private:

@@ -97,7 +97,7 @@ Vector3 find_card_place() {
 // Two cards whose upper inner edges meet over the middle, and whose lower outer ones stand at this height.
 void add_tent(double x_m, double y_m, RigidWorldPlan& plan) {
     for (const double side : {-1.0, 1.0}) {
-        const Quaternion turn(Eigen::AngleAxisd(side * kLean_rad, Vector3::UnitZ()));
+        const Quaternion turn(AngleAxis(side * kLean_rad, Vector3::UnitZ()));
         const Vector3 place = find_card_place();
         plan.bodies.push_back(
             make_card(kCard_m, {Vector3(x_m + side * place.x(), y_m + place.y(), 0.0), turn}));
@@ -166,11 +166,10 @@ Finding swing_chain() {
     plan.settings.sleep_after_s = 0.0;
     constexpr int kLinks = 30;
     for (int i = 0; i < kLinks; ++i) {
-        plan.bodies.push_back(
-            {.shape = CapsuleShape{0.005, 0.02},
-             .mass_kg = i + 1 == kLinks ? 10.0 : 0.01,
-             .pose_W = {Vector3(0.05 * i + 0.025, 0.0, 0.0),
-                        Quaternion(Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ()))}});
+        plan.bodies.push_back({.shape = CapsuleShape{0.005, 0.02},
+                               .mass_kg = i + 1 == kLinks ? 10.0 : 0.01,
+                               .pose_W = {Vector3(0.05 * i + 0.025, 0.0, 0.0),
+                                          Quaternion(AngleAxis(M_PI / 2, Vector3::UnitZ()))}});
         plan.joints.push_back({.kind = JointKind::ball,
                                .body_a = i - 1,
                                .body_b = i,

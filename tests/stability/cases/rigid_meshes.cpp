@@ -22,7 +22,7 @@ RigidWorldPlan make_floor() {
 }
 
 Quaternion turn_about(const Vector3& axis, double angle) {
-    return Quaternion(Eigen::AngleAxisd(angle, axis));
+    return Quaternion(AngleAxis(angle, axis));
 }
 
 // What is won over the energy at the start, of what the bodies may fall.

@@ -15,8 +15,6 @@
 namespace fulcrum::stability {
 namespace {
 
-using Eigen::Vector2d;
-
 // Held 1e-10 of the radius over each face; ten times that leaves room for three of them and for rounding.
 constexpr double kLimit = 1.0e-9;
 constexpr double kWidth_m = 1.0e-6;  // of a sliver one metre long
@@ -24,13 +22,11 @@ constexpr int kSlivers = 20;
 constexpr int kSteps = 10000;
 
 // The outline of a square of one metre with a band of slivers in the middle of each side.
-std::vector<Vector2d> make_banded_square() {
-    std::vector<Vector2d> corners;
+std::vector<Vector2> make_banded_square() {
+    std::vector<Vector2> corners;
     for (int side = 0; side < 4; ++side) {
-        const Eigen::Rotation2Dd turn(0.5 * std::numbers::pi * side);
-        // Signs and sums of halves stay exact: the sides are flat to the last bit.
-        const Vector2d out = (turn * Vector2d::UnitX()).array().round();
-        const Vector2d along = (turn * Vector2d::UnitY()).array().round();
+        const Vector2 out = turn_quarters(Vector2::UnitX(), side);
+        const Vector2 along = turn_quarters(Vector2::UnitY(), side);
         corners.emplace_back(0.5 * out - 0.5 * along);
         for (int i = 0; i <= kSlivers; ++i) {
             corners.emplace_back(0.5 * out + kWidth_m * (i - 0.5 * kSlivers) * along);
@@ -40,13 +36,13 @@ std::vector<Vector2d> make_banded_square() {
 }
 
 // A square of which a corner is rounded off by slivers.
-std::vector<Vector2d> make_rounded_square() {
+std::vector<Vector2> make_rounded_square() {
     const double radius_m = kWidth_m * kSlivers / (0.5 * std::numbers::pi);
-    std::vector<Vector2d> corners{{-0.5, 0.5}, {-0.5, -0.5}, {0.5, -0.5}};
+    std::vector<Vector2> corners{{-0.5, 0.5}, {-0.5, -0.5}, {0.5, -0.5}};
     for (int i = 0; i <= kSlivers; ++i) {
         const double turn = 0.5 * std::numbers::pi * i / kSlivers;
-        corners.emplace_back(Vector2d::Constant(0.5 - radius_m) +
-                             radius_m * Vector2d(std::cos(turn), std::sin(turn)));
+        corners.emplace_back(Vector2::Constant(0.5 - radius_m) +
+                             radius_m * Vector2(std::cos(turn), std::sin(turn)));
     }
     return corners;
 }
@@ -70,7 +66,7 @@ Finding slide_over_band() {
 
 // From inside, about the rounded edge: the region is convex, so the place is the nearest point of it.
 Finding press_into_fillet() {
-    const std::vector<Vector2d> outline = make_rounded_square();
+    const std::vector<Vector2> outline = make_rounded_square();
     GodObject proxy(only_solid(touchable(make_prism(outline, 1.0))));
     proxy.reset(Vector3::Zero());
     double worst_m = 0.0;
@@ -78,11 +74,11 @@ Finding press_into_fillet() {
     for (int i = 0; i < kSteps; ++i) {
         const double reach_m = i < kSteps / 2 ? 3.0e-5 : 0.2;
         const double way_there = std::min(1.0, i / 200.0);
-        const Vector2d press =
-            way_there * (Vector2d::Constant(0.5) +
-                         reach_m * Vector2d(std::sin(0.013 * i), std::cos(0.0171 * i)));
+        const Vector2 press =
+            way_there *
+            (Vector2::Constant(0.5) + reach_m * Vector2(std::sin(0.013 * i), std::cos(0.0171 * i)));
         const double z = 0.45 * std::sin(0.003 * i);
-        const Vector2d nearest = find_nearest_in_polygon(outline, press);
+        const Vector2 nearest = find_nearest_in_polygon(outline, press);
         const ProxyContact& contact = proxy.step({press.x(), press.y(), z}, {});
         worst_m =
             worse(worst_m, (contact.position_W - Vector3(nearest.x(), nearest.y(), z)).norm());

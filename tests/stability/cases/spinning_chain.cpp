@@ -39,7 +39,7 @@ RigidWorldPlan make_spinning_chain(const SpinningChain& chain) {
     plan.bodies.push_back(
         {.shape = chain.rod,
          .mass_kg = 0.1,
-         .pose_W = {Vector3::Zero(), Quaternion(Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ()))},
+         .pose_W = {Vector3::Zero(), Quaternion(AngleAxis(M_PI / 2, Vector3::UnitZ()))},
          .velocity_W = {Vector3::Zero(), spin + Vector3(chain.rod_spin_rad_per_s, 0.0, 0.0)}});
     return plan;
 }
@@ -84,8 +84,7 @@ RigidWorldPlan make_row_of_links(double spin_rad_per_s, bool is_pinned) {
         plan.bodies.push_back(
             {.shape = CapsuleShape{0.01, 0.03},
              .mass_kg = 0.1,
-             .pose_W = {{at_m, 0.0, 0.0},
-                        Quaternion(Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ()))},
+             .pose_W = {{at_m, 0.0, 0.0}, Quaternion(AngleAxis(M_PI / 2, Vector3::UnitZ()))},
              .velocity_W = {{0.0, (at_m - middle_m) * spin_rad_per_s, 0.0},
                             {0.0, 0.0, spin_rad_per_s}}});
         plan.joints.push_back({.kind = JointKind::ball,

@@ -13,7 +13,7 @@ using namespace fulcrum;
 using namespace fulcrum::assets;
 
 TEST_CASE("mesh: a tessellated sphere has a sphere's volume, centre and normals") {
-    const MeshPart ball = outward(tessellate(ellipsoid(Vector3d::Ones()), 96, 64));
+    const MeshPart ball = outward(tessellate(ellipsoid(Vector3::Ones()), 96, 64));
     const Bulk bulk = bulk_of(ball);
     CHECK(bulk.volume_m3 == Approx(4.0 / 3.0 * M_PI).epsilon(0.005));  // chords lie inside
     CHECK(bulk.centroid.norm() < 1e-12);
@@ -35,10 +35,10 @@ TEST_CASE("mesh: the seam and the poles of a sheet are smooth") {
 }
 
 TEST_CASE("mesh: moving a part moves its bulk; turning it inside out turns the volume's sign") {
-    MeshPart ball = outward(tessellate(ellipsoid(Vector3d::Ones()), 32, 24));
+    MeshPart ball = outward(tessellate(ellipsoid(Vector3::Ones()), 32, 24));
     const double volume_m3 = bulk_of(ball).volume_m3;
-    ball.transform(Eigen::Affine3d(Eigen::Translation3d(1.0, 2.0, 3.0)));
-    CHECK((bulk_of(ball).centroid - Vector3d(1.0, 2.0, 3.0)).norm() < 1e-9);
+    ball.transform(Affine::at({1.0, 2.0, 3.0}));
+    CHECK((bulk_of(ball).centroid - Vector3(1.0, 2.0, 3.0)).norm() < 1e-9);
     CHECK(bulk_of(ball).volume_m3 == Approx(volume_m3));
     ball.turn_inside_out();
     CHECK(bulk_of(ball).volume_m3 == Approx(-volume_m3));
@@ -46,21 +46,21 @@ TEST_CASE("mesh: moving a part moves its bulk; turning it inside out turns the v
 }
 
 TEST_CASE("mesh: a curve goes through its points and is straight between points on a line") {
-    const std::vector<Vector2d> points{{0, 0}, {1, 1}, {2, 2}, {3, 3}};
+    const std::vector<Vector2> points{{0, 0}, {1, 1}, {2, 2}, {3, 3}};
     CHECK(curve_through(points, 0.0) == points[0]);
     CHECK((curve_through(points, 1.0 / 3.0) - points[1]).norm() < 1e-12);
     CHECK(curve_through(points, 1.0) == points[3]);
-    const Vector2d middle = curve_through(points, 0.5);
+    const Vector2 middle = curve_through(points, 0.5);
     CHECK(middle.x() == Approx(1.5));
     CHECK(middle.y() == Approx(1.5));
 }
 
 TEST_CASE("mesh: a straight tube has a cylinder's radius everywhere") {
     const Surface pipe =
-        tube([](double t) { return Vector3d(0.0, 2.0 * t, 0.0); }, [](double) { return 0.5; });
+        tube([](double t) { return Vector3(0.0, 2.0 * t, 0.0); }, [](double) { return 0.5; });
     for (double u = 0.0; u <= 1.0; u += 0.125) {
         for (double v = 0.0; v <= 1.0; v += 0.25) {
-            const Vector3d p = pipe(u, v);
+            const Vector3 p = pipe(u, v);
             CHECK(std::hypot(p.x(), p.z()) == Approx(0.5));
             CHECK(p.y() == Approx(2.0 * v).margin(1e-12));
         }
@@ -70,14 +70,14 @@ TEST_CASE("mesh: a straight tube has a cylinder's radius everywhere") {
 TEST_CASE("noise: is zero at lattice points, bounded, smooth, and always the same") {
     double highest = 0.0;
     for (int i = 0; i < 5000; ++i) {
-        const Vector3d p(0.137 * i, 1.0 - 0.071 * i, 0.53 * i);
+        const Vector3 p(0.137 * i, 1.0 - 0.071 * i, 0.53 * i);
         highest = std::max(highest, std::abs(noise(p)));
-        CHECK(std::abs(noise(p + Vector3d(1e-6, 0, 0)) - noise(p)) < 1e-4);
+        CHECK(std::abs(noise(p + Vector3(1e-6, 0, 0)) - noise(p)) < 1e-4);
     }
     CHECK(highest > 0.5);
     CHECK(highest <= 1.2);
     for (int i = -5; i < 5; ++i) {
-        CHECK(noise(Vector3d(i, 2 * i, -i)) == 0.0);
+        CHECK(noise(Vector3(i, 2 * i, -i)) == 0.0);
     }
     CHECK(noise({0.3, 0.4, 0.5}) == noise({0.3, 0.4, 0.5}));
 }
@@ -85,7 +85,7 @@ TEST_CASE("noise: is zero at lattice points, bounded, smooth, and always the sam
 TEST_CASE("noise: spots are where they should be, and none at no density") {
     double covered = 0.0;
     for (int i = 0; i < 4000; ++i) {
-        const Vector3d p(0.0317 * i, 0.011 * i, 0.71 * i);
+        const Vector3 p(0.0317 * i, 0.011 * i, 0.71 * i);
         const double spot = spots(p, 0.5, 0.4);
         CHECK(spot >= 0.0);
         CHECK(spot <= 1.0);
@@ -108,7 +108,7 @@ TEST_CASE(
     CHECK(srgb(0x808080).x() == Approx(0.2158).epsilon(0.001));
 
     Model model{"tile",
-                {tessellate([](double u, double v) { return Vector3d(u, v, 0.0); }, 1, 1)},
+                {tessellate([](double u, double v) { return Vector3(u, v, 0.0); }, 1, 1)},
                 {picture}};
     model.parts[0].picture = 0;
     const auto bytes = encode_glb(model);
@@ -136,7 +136,7 @@ TEST_CASE("picture: blending stays between its colours") {
 
 TEST_CASE("glb: a part's colour, roughness and triangles are what the loader gives back") {
     Model model{
-        "tile", {tessellate([](double u, double v) { return Vector3d(u, v, 0.5); }, 2, 3)}, {}};
+        "tile", {tessellate([](double u, double v) { return Vector3(u, v, 0.5); }, 2, 3)}, {}};
     model.parts[0].colour = Colour(0.125, 0.5, 0.75);
     model.parts[0].alpha = 0.5;
     model.parts[0].roughness = 0.25;

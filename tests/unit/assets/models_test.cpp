@@ -26,7 +26,7 @@ namespace {
 struct Maker {
     const char* name;
     Model (*make)();
-    Vector3d size_m;  ///< of the box around it
+    Vector3 size_m;  ///< of the box around it
 };
 
 const std::array<Maker, 39> kMakers{{{"watermelon", make_watermelon, {0.20, 0.166, 0.172}},
@@ -196,7 +196,7 @@ TEST_CASE("assets: an egg is pointed above and blunt below") {
     double widest_y_m = 0.0;
     double top_m = -1.0;
     double bottom_m = 1.0;
-    for (const Vector3d& p : egg.parts.front().positions) {
+    for (const Vector3& p : egg.parts.front().positions) {
         const double r = std::hypot(p.x(), p.z());
         widest_y_m = r > widest_m ? p.y() : widest_y_m;
         widest_m = std::max(widest_m, r);
@@ -258,7 +258,7 @@ TEST_CASE(
     }
     double melon_m = 0.0;
     const Model melon = make_watermelon();
-    for (const Vector3d& p : melon.parts.front().positions) {
+    for (const Vector3& p : melon.parts.front().positions) {
         melon_m = std::max(melon_m, std::hypot(p.x(), p.z()));
     }
     CHECK(melon_m < rim_m);

@@ -69,8 +69,8 @@ TEST_CASE("contact axis: two boxes face to face, edge to edge and one in the oth
     CHECK(faces.gap_m == Approx(-0.1));
     CHECK(faces.normal_W == Vector3::UnitY());
     // Edges crosswise: each body a quarter of a right angle round its own axis, tops along x and z.
-    const Matrix3 about_x = Eigen::AngleAxisd(0.25 * M_PI, Vector3::UnitX()).toRotationMatrix();
-    const Matrix3 about_z = Eigen::AngleAxisd(0.25 * M_PI, Vector3::UnitZ()).toRotationMatrix();
+    const Matrix3 about_x = AngleAxis(0.25 * M_PI, Vector3::UnitX()).toRotationMatrix();
+    const Matrix3 about_z = AngleAxis(0.25 * M_PI, Vector3::UnitZ()).toRotationMatrix();
     const double reach_m = std::sqrt(0.5);
     const ContactAxis edges = find_contact_axis({&box, about_x, {0.05, 2.0 * reach_m - 0.03, 0.02}},
                                                 {&box, about_z}, 0.1, 0);
@@ -84,8 +84,8 @@ TEST_CASE("contact axis: two boxes face to face, edge to edge and one in the oth
 
 TEST_CASE("contact axis: round shapes in closed form, their middles in one place too") {
     const auto capsule = make_contact_shape(CapsuleShape{0.1, 1.0}).value();
-    const Matrix3 lying = Eigen::AngleAxisd(0.5 * M_PI, Vector3::UnitX()).toRotationMatrix();
-    const Matrix3 across = Eigen::AngleAxisd(0.5 * M_PI, Vector3::UnitZ()).toRotationMatrix();
+    const Matrix3 lying = AngleAxis(0.5 * M_PI, Vector3::UnitX()).toRotationMatrix();
+    const Matrix3 across = AngleAxis(0.5 * M_PI, Vector3::UnitZ()).toRotationMatrix();
     const ContactAxis crossed = find_contact_axis({&capsule, lying}, {&capsule, across}, 1.0, 0);
     CHECK(crossed.gap_m == Approx(-0.2));
     CHECK(std::abs(crossed.normal_W.y()) == Approx(1.0));

@@ -68,7 +68,7 @@ TEST_CASE(
     "contact manifold: a cube turned by an eighth on another keeps four of eight corners, of most "
     "area") {
     const ContactShape cube = make_cube();
-    const Pose turned{{0.0, 1.0, 0.0}, Quaternion(Eigen::AngleAxisd(M_PI / 4, Vector3::UnitY()))};
+    const Pose turned{{0.0, 1.0, 0.0}, Quaternion(AngleAxis(M_PI / 4, Vector3::UnitY()))};
     const auto manifold = touch(cube, turned, cube, Pose::at(Vector3::Zero()));
     REQUIRE(manifold.count == 4);
     double twice_area = 0.0;
@@ -84,7 +84,7 @@ TEST_CASE(
 TEST_CASE("contact manifold: every shape on the ground, standing and lying") {
     const ContactShape ground = make_half_space();
     const Pose floor = Pose::at(Vector3::Zero());
-    const Quaternion lying(Eigen::AngleAxisd(M_PI / 2, Vector3::UnitX()));
+    const Quaternion lying(AngleAxis(M_PI / 2, Vector3::UnitX()));
     const auto capsule = make_contact_shape(CapsuleShape{0.1, 0.4}).value();
     CHECK(touch(capsule, Pose::at({0.0, 0.5, 0.0}), ground, floor).count == 1);
     const auto lies = touch(capsule, {{0.0, 0.099, 0.0}, lying}, ground, floor);
@@ -96,7 +96,7 @@ TEST_CASE("contact manifold: every shape on the ground, standing and lying") {
     REQUIRE(stands.count == 4);
     CHECK(stands.contacts[0].place_W.y() == Approx(0.0).margin(1.0e-12));
     CHECK(touch(cylinder, {{0.0, 0.2, 0.0}, lying}, ground, floor).count == 2);
-    const Quaternion tilted(Eigen::AngleAxisd(0.3, Vector3::UnitX()));
+    const Quaternion tilted(AngleAxis(0.3, Vector3::UnitX()));
     CHECK(touch(cylinder, {{0.0, 0.3 * std::cos(0.3) + 0.2 * std::sin(0.3), 0.0}, tilted}, ground,
                 floor, 1.0e-3)
               .count == 1);
@@ -118,8 +118,8 @@ TEST_CASE(
     const ContactShape cube = make_cube();
     const double reach_m = std::sqrt(0.5);
     const Pose about_x{{0.1, 2.0 * reach_m - 0.001, 0.2},
-                       Quaternion(Eigen::AngleAxisd(M_PI / 4, Vector3::UnitX()))};
-    const Pose about_z{Vector3::Zero(), Quaternion(Eigen::AngleAxisd(M_PI / 4, Vector3::UnitZ()))};
+                       Quaternion(AngleAxis(M_PI / 4, Vector3::UnitX()))};
+    const Pose about_z{Vector3::Zero(), Quaternion(AngleAxis(M_PI / 4, Vector3::UnitZ()))};
     const auto edges = touch(cube, about_x, cube, about_z, 1.0e-3);
     // Within the margin the crossing alone, or with it places that are as near.
     REQUIRE(edges.count >= 1);
@@ -133,8 +133,7 @@ TEST_CASE(
     REQUIRE(corner.count >= 1);
     CHECK(find_least_gap(corner) == Approx(-0.001));
     const auto capsule = make_contact_shape(CapsuleShape{0.1, 1.0}).value();
-    const Pose over{{0.0, reach_m + 0.099, 0.2},
-                    Quaternion(Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ()))};
+    const Pose over{{0.0, reach_m + 0.099, 0.2}, Quaternion(AngleAxis(M_PI / 2, Vector3::UnitZ()))};
     const auto line = touch(capsule, over, cube, about_z, 1.0e-3);
     REQUIRE(line.count >= 1);
     CHECK(find_least_gap(line) == Approx(-0.001));
@@ -251,7 +250,7 @@ TEST_CASE("contact manifold: a box that slides and turns on another keeps ids, e
     std::uint32_t n_lost = 0;
     for (int i = 0; i < 400; ++i) {
         const Pose at{{0.001 * i, 1.0, 0.0005 * i},
-                      Quaternion(Eigen::AngleAxisd(0.0005 * i, Vector3::UnitY()))};
+                      Quaternion(AngleAxis(0.0005 * i, Vector3::UnitY()))};
         const auto before = ids_of(manifold);
         manifold = touch(cube, at, cube, Pose::at(Vector3::Zero()), 0.01, manifold);
         const auto now = ids_of(manifold);

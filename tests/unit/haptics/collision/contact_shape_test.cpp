@@ -31,7 +31,7 @@ void check_feature(const ContactShape& shape, const Vector3& direction) {
             REQUIRE(std::abs(feature.normal_B.dot(along)) <= kRounding);
         }
     }
-    INFO("along " << direction.transpose());
+    CAPTURE(direction);
     REQUIRE(reached <= farthest + kRounding);
     // What is farthest of a hull may be a corner of a face that looks less along the direction.
     if (shape.kind != ContactShape::Kind::hull) {

@@ -30,7 +30,7 @@ TEST_CASE("convex cursor: a box on a box stops by its face, on a mesh of a box a
         CHECK(cast({0.5999, 2.0, 0.2}, {0.5999, -2.0, 0.2}).found());
         // Turned by a right angle about z, its sides are exchanged.
         obstacle->turn(
-            Eigen::AngleAxisd(0.5 * 3.14159265358979323846, Vector3::UnitZ()).toRotationMatrix());
+            AngleAxis(0.5 * 3.14159265358979323846, Vector3::UnitZ()).toRotationMatrix());
         CHECK(cast({0.1, 2.0, 0.2}, {0.1, 0.0, 0.2}).t == Approx(0.7).epsilon(1e-9));
         CHECK(obstacle->find_nearest({0.0, 0.59, 0.0}, kLevel_m) >= 0);
         CHECK(obstacle->find_nearest({0.0, 0.61, 0.0}, kLevel_m) == -1);

@@ -28,7 +28,7 @@ void compare(const ConvexCore& core, const Shape& shape, unsigned seed) {
         const Vector3 p = std::pow(10.0, (i % 5) - 2) * random.in_cube() + 0.3 * random.direction();
         const Gap exact = find_gap(shape, p);
         const ConvexGap found = find_point_gap(core, p);
-        INFO("at " << p.transpose());
+        CAPTURE(p);
         if (exact.gap_m > 1.0e-6) {
             REQUIRE(found.gap_m == Approx(exact.gap_m).epsilon(1.0e-8));
             REQUIRE(found.gap_m <= exact.gap_m * (1.0 + 1.0e-14));

@@ -62,7 +62,7 @@ Counts try_ways(const CollisionMesh& mesh, const Vector3& middle, double scale, 
             }
         }
     }
-    INFO("about " << middle.transpose() << " of size " << scale);
+    CAPTURE(middle, scale);
     return counts;
 }
 

@@ -102,8 +102,8 @@ TEST_CASE("sampled contacts: round on round and round on flat touch where they d
 TEST_CASE("sampled contacts: edges that cross touch at the crossing") {
     const auto bar = sampled(SolidShape(touchable(make_box({0.3, 0.04, 0.04}))));
     const auto other = sampled(BoxShape{{0.15, 0.02, 0.02}});
-    const Quaternion on_edge(Eigen::AngleAxisd(0.25 * std::numbers::pi, Vector3::UnitX()));
-    const Quaternion across(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitY()));
+    const Quaternion on_edge(AngleAxis(0.25 * std::numbers::pi, Vector3::UnitX()));
+    const Quaternion across(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitY()));
     const double half_diagonal_m = 0.02 * std::numbers::sqrt2;
     const double gap_m = 1.0e-4;
     Patched found;
@@ -150,7 +150,7 @@ TEST_CASE("sampled contacts: edges beside each other touch slantwise, and no fac
     constexpr double kApart_m = 2.0e-3;
     for (const double lean_rad : {0.0, 0.02, -0.02}) {
         CAPTURE(lean_rad);
-        const Quaternion lean(Eigen::AngleAxisd(lean_rad, Vector3::UnitZ()));
+        const Quaternion lean(AngleAxis(lean_rad, Vector3::UnitZ()));
         const Vector3 edge(0.05 + kApart_m, 0.05 + kApart_m, 0.0);
         Patched found;
         found.find(*cube, at(edge + lean * Vector3(0.05, 0.05, 0.0), lean), *table,

@@ -13,7 +13,7 @@ template <class Shape>
 void check_gap(const Shape& shape, const Vector3& p, const Vector3& normal, double gap_m,
                double curvature_per_m) {
     const Gap gap = find_gap(shape, p);
-    INFO("at " << p.transpose());
+    CAPTURE(p);
     CHECK(gap.gap_m == Approx(gap_m));
     CHECK((gap.normal_B - normal.normalized()).norm() < 1e-14);
     CHECK(gap.curvature_per_m == Approx(curvature_per_m));

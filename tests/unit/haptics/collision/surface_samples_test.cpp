@@ -31,7 +31,8 @@ TEST_CASE(
     CHECK(count_kind(*samples, SampleKind::edge) == inner(0.4) + inner(0.2) + inner(0.1));
     for (const SurfaceSample& sample : samples->all()) {
         const Vector3 beyond = sample.place_B.cwiseAbs() - Vector3(0.2, 0.1, 0.05);
-        const auto on = (beyond.array().abs() < 1.0e-7).count();
+        const auto on =
+            std::ranges::count_if(beyond, [](double x) { return std::abs(x) < 1.0e-7; });
         CHECK(beyond.maxCoeff() == Approx(0.0).margin(1.0e-7));
         CHECK(on >= (sample.kind == SampleKind::corner ? 3
                      : sample.kind == SampleKind::edge ? 2

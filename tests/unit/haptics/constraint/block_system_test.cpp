@@ -1,5 +1,7 @@
 #include "haptics/constraint/block_system.h"
 
+#include "haptics/math/to_eigen.h"
+
 #include <catch2/catch.hpp>
 
 #include <Eigen/Dense>
@@ -19,7 +21,7 @@ struct Random {
     std::mt19937 engine{7};
     std::uniform_real_distribution<double> number{-1.0, 1.0};
     Matrix6 matrix() {
-        return Matrix6::NullaryExpr([&](Eigen::Index, Eigen::Index) { return number(engine); });
+        return Matrix6::Zero().unaryExpr([&](double) { return number(engine); });
     }
 };
 
@@ -36,30 +38,30 @@ void check_solves(int n, const std::vector<Pair>& pairs, bool symmetric, BlockSy
     for (int i = 0; i < n; ++i) {
         Matrix6 block = random.matrix();
         if (symmetric) {
-            block = block + block.transpose().eval();
+            block += block.transpose();
         }
         block += 20.0 * Matrix6::Identity();
         system.diagonal(i) += block;
-        dense.block<6, 6>(6 * i, 6 * i) = block;
+        dense.block<6, 6>(6 * i, 6 * i) = to_eigen(block);
     }
     for (const Pair& pair : pairs) {
         const Matrix6 K = random.matrix();
         const Matrix6 opposite = symmetric ? K : random.matrix();
         system.add(pair.a, pair.b, K, opposite);
-        dense.block<6, 6>(6 * pair.a, 6 * pair.b) += K;
-        dense.block<6, 6>(6 * pair.b, 6 * pair.a) += opposite.transpose();
+        dense.block<6, 6>(6 * pair.a, 6 * pair.b) += to_eigen(K);
+        dense.block<6, 6>(6 * pair.b, 6 * pair.a) += to_eigen(opposite).transpose();
     }
     const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(6 * n, -1.0, 2.0);
     std::vector<Vector6> g(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) {
-        g[static_cast<std::size_t>(i)] = right.segment<6>(6 * i);
+        g[static_cast<std::size_t>(i)] = from_eigen(right.segment<6>(6 * i));
     }
     CHECK(system.factor() == 0);
     system.solve(g);
     const Eigen::VectorXd expected = dense.partialPivLu().solve(right);
     for (int i = 0; i < n; ++i) {
-        CHECK((g[static_cast<std::size_t>(i)] - expected.segment<6>(6 * i)).cwiseAbs().maxCoeff() <=
-              kSolved);
+        const Vector6& found = g[static_cast<std::size_t>(i)];
+        CHECK((found - from_eigen(expected.segment<6>(6 * i))).cwiseAbs().maxCoeff() <= kSolved);
     }
 }
 

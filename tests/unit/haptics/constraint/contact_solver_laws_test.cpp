@@ -1,5 +1,6 @@
 // Laws that hold for every contact problem, whoever solves it. See contact_solver.h.
 #include "haptics/constraint/contact_solver.h"
+#include "haptics/math/to_eigen.h"
 #include "tests/support/contact_scenes.h"
 
 #include <catch2/catch.hpp>
@@ -61,19 +62,22 @@ bool solve_by_sets(const ContactProblem& problem, std::vector<Vector6>& velociti
     Eigen::MatrixXd W = Eigen::MatrixXd::Zero(6 * n_bodies, 6 * n_bodies);
     for (int i = 0; i < n_bodies; ++i) {
         const ConstrainedBody& body = problem.bodies()[static_cast<std::size_t>(i)];
-        free.segment<6>(6 * i) = body.free_velocity_W;
-        W.block<3, 3>(6 * i, 6 * i) = Matrix3::Identity() / body.mass_kg;
-        W.block<3, 3>(6 * i + 3, 6 * i + 3) = body.inverse_inertia_W;
+        free.segment<6>(6 * i) = to_eigen(body.free_velocity_W);
+        W.block<3, 3>(6 * i, 6 * i) = Eigen::Matrix3d::Identity() / body.mass_kg;
+        W.block<3, 3>(6 * i + 3, 6 * i + 3) = to_eigen(body.inverse_inertia_W);
     }
     for (int k = 0; k < n; ++k) {
         const ContactConstraint& c = problem.contacts()[static_cast<std::size_t>(k)];
         const Vector3 normal = c.axes_W.col(0);
+        const auto along = [&](const Vector3& arm) {
+            return (Matrix<double, 1, 6>() << normal.transpose(), arm.cross(normal).transpose())
+                .finished();
+        };
         if (c.body_a != kGround) {
-            J.block<1, 6>(k, 6 * c.body_a) << -normal.transpose(),
-                -c.arm_a.cross(normal).transpose();
+            J.block<1, 6>(k, 6 * c.body_a) = -to_eigen(along(c.arm_a));
         }
         if (c.body_b != kGround) {
-            J.block<1, 6>(k, 6 * c.body_b) << normal.transpose(), c.arm_b.cross(normal).transpose();
+            J.block<1, 6>(k, 6 * c.body_b) = to_eigen(along(c.arm_b));
         }
     }
     constexpr double kSlack = 1.0e-9;
@@ -97,7 +101,7 @@ bool solve_by_sets(const ContactProblem& problem, std::vector<Vector6>& velociti
         if (!pulls && (n == 0 || (J * v).minCoeff() >= -kSlack)) {
             velocities.clear();
             for (int i = 0; i < n_bodies; ++i) {
-                velocities.emplace_back(v.segment<6>(6 * i));
+                velocities.push_back(from_eigen(v.segment<6>(6 * i)));
             }
             return true;
         }

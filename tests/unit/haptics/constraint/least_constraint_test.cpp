@@ -1,6 +1,7 @@
 #include "haptics/constraint/least_constraint.h"
 
 #include "haptics/math/split_mix.h"
+#include "haptics/math/to_eigen.h"
 #include "tests/support/wilhelmsen.h"
 
 #include <catch2/catch.hpp>
@@ -35,9 +36,7 @@ LeastConstraintSolver solver_of(const std::vector<Contact>& contacts,
 }
 
 Vector6 six(const Vector3& linear, const Vector3& angular) {
-    Vector6 v;
-    v << linear, angular;
-    return v;
+    return (Vector6() << linear, angular).finished();
 }
 
 class Random {
@@ -71,12 +70,12 @@ void check_optimal(const std::vector<Contact>& contacts, const Matrix3& inertia,
                    const Vector6& wanted) {
     REQUIRE(answer.exact);
     const double scale = size_of(inertia, wanted) + 1.0e-12;
-    const Eigen::LLT<Matrix6> factor(inertia_of(inertia));
+    const Eigen::LLT<Eigen::Matrix<double, 6, 6>> factor(to_eigen(inertia_of(inertia)));
     Vector6 force = Vector6::Zero();
     double pushes = 0.0;  // which may be far more than their sum, where the tool is stuck
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const Vector6 J = six(contacts[k].normal_W, contacts[k].arm_W.cross(contacts[k].normal_W));
-        const double length = factor.matrixL().solve(J).norm();
+        const double length = factor.matrixL().solve(to_eigen(J)).norm();
         const double slack = (J.dot(answer.acceleration) - contacts[k].least) / length;
         const double push = solver.force_N(k);
         REQUIRE(slack >= -1.0e-12 * scale);
@@ -86,8 +85,8 @@ void check_optimal(const std::vector<Contact>& contacts, const Matrix3& inertia,
         pushes += push * length;
     }
     const Vector6 change = inertia_of(inertia) * (answer.acceleration - wanted);
-    const Vector6 left = factor.matrixL().solve(Vector6(change - force));
-    REQUIRE(left.norm() <= 1.0e-12 * scale + 1.0e-13 * pushes);
+    REQUIRE(factor.matrixL().solve(to_eigen(Vector6(change - force))).norm() <=
+            1.0e-12 * scale + 1.0e-13 * pushes);
     REQUIRE((answer.force - force).norm() <= 1.0e-10 * (force.norm() + pushes + 1.0e-12));
 }
 
@@ -176,16 +175,17 @@ TEST_CASE("least constraint: the same point as Wilhelmsen's, to 1e-12, for any c
         check_optimal(contacts, inertia, solver, answer, wanted);
 
         using wilhelmsen::Real;
-        using Matrix = Eigen::Matrix<Real, 6, 6>;
-        const Matrix L = inertia_of(inertia).cast<Real>().llt().matrixL();
+        const auto to_real = [](const Vector6& v) { return to_eigen(v.cast<Real>()); };
+        const auto M = to_eigen(inertia_of(inertia).cast<Real>());
+        const Eigen::Matrix<Real, 6, 6> L = M.llt().matrixL();
         std::vector<wilhelmsen::Vector> generators;
         for (const Contact& c : contacts) {
             generators.emplace_back(L.triangularView<Eigen::Lower>().solve(
-                six(c.normal_W, c.arm_W.cross(c.normal_W)).cast<Real>()));
+                to_real(six(c.normal_W, c.arm_W.cross(c.normal_W)))));
         }
-        const wilhelmsen::Vector y = L.transpose() * wanted.cast<Real>();
+        const wilhelmsen::Vector y = L.transpose() * to_real(wanted);
         const wilhelmsen::Vector at = y + wilhelmsen::nearest_in_cone(generators, -y);
-        const wilhelmsen::Vector ours = L.transpose() * answer.acceleration.cast<Real>();
+        const wilhelmsen::Vector ours = L.transpose() * to_real(answer.acceleration);
         INFO("trial " << trial << ", " << n << " contacts");
         REQUIRE(static_cast<double>((ours - at).norm() / y.norm()) <= 1.0e-12);
     }

@@ -1,5 +1,6 @@
 #include "haptics/constraint/pair_blocks.h"
 
+#include "haptics/math/to_eigen.h"
 #include "tests/support/contact_scenes.h"
 
 #include <catch2/catch.hpp>
@@ -50,7 +51,7 @@ Eigen::MatrixXd find_jacobian(const Constraint& constraint, int n_rows) {
         if constexpr (std::is_same_v<Constraint, RowConstraint>) {
             J(0, column) = velocity;
         } else {
-            J.col(column) = velocity;
+            J.col(column) = to_eigen(velocity);
         }
     }
     return J;
@@ -61,13 +62,14 @@ void check_matrix(BlockSystem& system, const Eigen::MatrixXd& dense) {
     const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(6 * kBodies, -1.0, 2.0);
     std::vector<Vector6> g(kBodies);
     for (int i = 0; i < kBodies; ++i) {
-        g[static_cast<std::size_t>(i)] = right.segment<6>(6 * i);
+        g[static_cast<std::size_t>(i)] = from_eigen(right.segment<6>(6 * i));
     }
     REQUIRE(system.factor() == 0);
     system.solve(g);
     const Eigen::VectorXd expected = dense.partialPivLu().solve(right);
     for (int i = 0; i < kBodies; ++i) {
-        CHECK((g[static_cast<std::size_t>(i)] - expected.segment<6>(6 * i)).cwiseAbs().maxCoeff() <=
+        const Vector6& found = g[static_cast<std::size_t>(i)];
+        CHECK((found - from_eigen(expected.segment<6>(6 * i))).cwiseAbs().maxCoeff() <=
               kSame * (1.0 + expected.cwiseAbs().maxCoeff()) * dense.cwiseAbs().maxCoeff());
     }
 }
@@ -84,8 +86,8 @@ Eigen::MatrixXd make_dense_bodies(const ContactProblem& problem) {
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(6 * kBodies, 6 * kBodies);
     for (int i = 0; i < kBodies; ++i) {
         const ConstrainedBody& body = problem.bodies()[static_cast<std::size_t>(i)];
-        dense.block<3, 3>(6 * i, 6 * i) = body.mass_kg * Matrix3::Identity();
-        dense.block<3, 3>(6 * i + 3, 6 * i + 3) = body.inertia_W;
+        dense.block<3, 3>(6 * i, 6 * i) = body.mass_kg * Eigen::Matrix3d::Identity();
+        dense.block<3, 3>(6 * i + 3, 6 * i + 3) = to_eigen(body.inertia_W);
     }
     return dense;
 }
@@ -119,11 +121,11 @@ TEST_CASE("pair blocks: contacts add J^T S J of a dense matrix, whatever touches
             system.add_pair(c.body_a, c.body_b);
             Matrix3 slope = numbers.matrix();
             if (symmetric) {
-                slope = slope * slope.transpose().eval();
+                slope *= slope.transpose();
             }
             slopes.push_back(slope);
             const Eigen::MatrixXd J = find_jacobian(c, 3);
-            dense += J.transpose() * slope * J;
+            dense += J.transpose() * to_eigen(slope) * J;
         }
         REQUIRE(system.find_order());
         system.clear(symmetric);

@@ -98,7 +98,7 @@ TEST_CASE("in-between motion: every place over a time lies in the box of that ti
             std::clamp(times.lower + share * (times.upper - times.lower), times.lower, times.upper);
         const IntervalVector box = motion.enclose(path, times);
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto row = static_cast<Eigen::Index>(k);
+            const auto row = static_cast<Index>(k);
             // By the C library and in more digits.
             const long double angle = static_cast<long double>(motion.angle_rad()) * t;
             const long double exact = static_cast<long double>(path.a[row]) +

@@ -92,7 +92,7 @@ TEST_CASE("interval sweep: a long graze takes few pieces; what is none is refuse
     const Triangle corner{Vector3(1.0, 0.0, 0.0), Vector3(1.2, 1.0, 0.0), Vector3(1.2, 1.0, 0.2)};
     const InBetweenMotion turn(
         Pose::at({0.0, 1.0e-9, 0.0}),
-        {Vector3(0.0, 1.0e-9, 0.0), Quaternion(Eigen::AngleAxisd(3.0, Vector3::UnitY()))});
+        {Vector3(0.0, 1.0e-9, 0.0), Quaternion(AngleAxis(3.0, Vector3::UnitY()))});
     const TriangleSweep told =
         sweep_triangles_by_intervals(turn, face, MovingTriangle::of(turn, corner), {0.0, 1.0e-10});
     CHECK(told.outcome == SweepOutcome::free);

@@ -14,11 +14,11 @@ OrientedBox make_oriented(const Vector3& centre, const Quaternion& turn, const V
     OrientedBox box;
     const Matrix3 axes = turn.toRotationMatrix().transpose();
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
+        const auto row = static_cast<Index>(i);
         box.centre[i] = static_cast<float>(centre[row]);
         box.half_size[i] = static_cast<float>(half[row]);
         for (std::size_t k = 0; k < 3; ++k) {
-            box.axes[i][k] = static_cast<float>(axes(row, static_cast<Eigen::Index>(k)));
+            box.axes[i][k] = static_cast<float>(axes(row, static_cast<Index>(k)));
         }
     }
     return box;
@@ -43,8 +43,8 @@ TEST_CASE("swept boxes: what meets at any time of the piece is never told apart"
         // A place on the moving box's border, and a held box with the same place on its own.
         const auto on_border = [&random](const Vector3& size) {
             Vector3 place = size.cwiseProduct(random.in_cube());
-            place[static_cast<Eigen::Index>(random.integer() % 3)] *= 0.0;
-            const auto k = static_cast<Eigen::Index>(random.integer() % 3);
+            place[static_cast<Index>(random.integer() % 3)] *= 0.0;
+            const auto k = static_cast<Index>(random.integer() % 3);
             place[k] = random.uniform() < 0.0 ? -size[k] : size[k];
             return place;
         };
@@ -80,8 +80,8 @@ TEST_CASE("swept boxes: boxes that stay apart are told so, by faces and by edges
     CHECK(may_touch(Pose::at({-0.5, 0.201, 0.0}), Pose::at({0.5, 0.201, 0.0}), 2.0e-3));
     CHECK(may_touch(Pose::at({-0.5, 0.199, 0.0}), Pose::at({0.5, 0.199, 0.0}), 0.0));
     // Edge over edge, crossed at right angles, each box turned by an eighth: no face tells.
-    const Quaternion roll(Eigen::AngleAxisd(0.25 * M_PI, Vector3::UnitZ()));
-    const Quaternion pitch(Eigen::AngleAxisd(0.25 * M_PI, Vector3::UnitX()));
+    const Quaternion roll(AngleAxis(0.25 * M_PI, Vector3::UnitZ()));
+    const Quaternion pitch(AngleAxis(0.25 * M_PI, Vector3::UnitX()));
     const OrientedBox ridge = make_oriented(Vector3::Zero(), roll, {0.1, 0.1, 0.1});
     for (const double gap : {1.0e-3, -1.0e-3}) {
         const Vector3 above(0.0, 2.0 * std::sqrt(2.0) * 0.1 + gap, 0.0);
@@ -116,10 +116,10 @@ TEST_CASE("swept boxes: boxes of one corner in common may touch, in the frames a
             make_oriented(random.in_cube(), random.turn(M_PI), draw_half(random));
         OrientedBox moving = make_oriented(Vector3::Zero(), random.turn(M_PI), draw_half(random));
         // The moving one's lowest corner, as seen along an axis of the held one, on that one's face.
-        const auto k = static_cast<Eigen::Index>(i % 3);
+        const auto k = static_cast<Index>(i % 3);
         const Vector3 out = held.axis(static_cast<std::size_t>(k)).normalized();
         Vector3 lowest = half_of(moving);
-        for (Eigen::Index j = 0; j < 3; ++j) {
+        for (Index j = 0; j < 3; ++j) {
             lowest[j] *= moving.axis(static_cast<std::size_t>(j)).dot(out) > 0.0 ? -1.0 : 1.0;
         }
         Vector3 on_face = half_of(held).cwiseProduct(random.in_cube());

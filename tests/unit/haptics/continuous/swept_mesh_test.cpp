@@ -34,7 +34,7 @@ TEST_CASE("swept mesh: every triangle lies in one leaf, and in all boxes above i
                     const OrientedBox& box = swept->boxes().box(node);
                     const Vector3 place = box.to_frame(corner);
                     for (std::size_t i = 0; i < 3; ++i) {
-                        REQUIRE(std::abs(place[static_cast<Eigen::Index>(i)]) <=
+                        REQUIRE(std::abs(place[static_cast<Index>(i)]) <=
                                 static_cast<double>(box.half_size[i]));
                     }
                 }

@@ -1,6 +1,7 @@
 #include "haptics/continuous/triangle_sweep.h"
 
 #include "haptics/continuous/interval_sweep.h"
+#include "haptics/math/length.h"
 #include "haptics/math/rotation.h"
 #include "tests/support/way_judge.h"
 
@@ -69,7 +70,7 @@ struct Tally {
         const Vector3 good = near.distance_m > 0.0
                                  ? Vector3((near.on_moving - near.on_fixed) / near.distance_m)
                                  : Vector3::Zero();
-        for (const Vector3& hint : {good, Vector3(-good), Vector3(between.stableNormalized())}) {
+        for (const Vector3& hint : {good, Vector3(-good), compute_direction(between)}) {
             const TriangleSweep hinted =
                 sweep_triangles(motion, pair.fixed_A, moving, settings, 0.0, 1.0, hint);
             missed += judge(pair, hinted, settings, rounding_m).is_missed ? 1 : 0;

@@ -15,7 +15,7 @@ struct Named {
     std::uint8_t j;
 };
 
-using LongVector = Eigen::Matrix<long double, 3, 1>;
+using LongVector = Matrix<long double, 3, 1>;
 using LongTriangle = std::array<LongVector, 3>;
 
 // Where the corners' paths are at t, in eleven binary digits more than the bounds have: a path's vectors are what they are.

@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <Eigen/Core>
 #include <cmath>
 #include <random>
 

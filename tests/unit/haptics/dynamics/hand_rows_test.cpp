@@ -83,7 +83,7 @@ TEST_CASE("hand rows: what pulls beyond its bounds counts as the nearest within,
 TEST_CASE("hand rows: a hand that stands gives less as its body goes on, where it holds it then") {
     BodyHold hold = make_row_hold();
     RigidState after;
-    after.pose_W = {{0.001, 0.0, 0.0}, Quaternion(Eigen::AngleAxisd(0.5 * M_PI, Vector3::UnitZ()))};
+    after.pose_W = {{0.001, 0.0, 0.0}, Quaternion(AngleAxis(0.5 * M_PI, Vector3::UnitZ()))};
     after.velocity_W = {{0.0, 0.2, 0.0}, {0.0, 0.0, 3.0}};
     carry_hold(RigidState{}, after, hold);
     CHECK((hold.at_W - Vector3(0.001, 0.03, 0.0)).norm() < 1.0e-15);

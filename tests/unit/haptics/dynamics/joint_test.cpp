@@ -103,11 +103,11 @@ TEST_CASE("joint: travel is the angle of a hinge and the way of a slider, from w
     JointPlan plan{
         .body_a = -1, .body_b = 0, .anchor_W = {1.0, 0.0, 0.0}, .axis_W = {0.0, 0.0, 2.0}};
     plan.kind = JointKind::hinge;
-    const Pose start{{0.5, 0.2, 0.0}, Quaternion(Eigen::AngleAxisd(0.4, Vector3::UnitX()))};
+    const Pose start{{0.5, 0.2, 0.0}, Quaternion(AngleAxis(0.4, Vector3::UnitX()))};
     const Joint hinge = make_joint(plan, Pose{}, start);
     CHECK(compute_joint_travel(hinge, Pose{}, start) == Approx(0.0).margin(1.0e-14));
     for (const double angle_rad : {0.3, -1.0, 3.0, -3.0}) {
-        const Quaternion turn(Eigen::AngleAxisd(angle_rad, Vector3::UnitZ()));
+        const Quaternion turn(AngleAxis(angle_rad, Vector3::UnitZ()));
         const Pose turned{plan.anchor_W + turn * (start.position - plan.anchor_W),
                           turn * start.orientation};
         CHECK(compute_joint_travel(hinge, Pose{}, turned) == Approx(angle_rad));

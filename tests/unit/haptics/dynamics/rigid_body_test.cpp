@@ -110,7 +110,7 @@ TEST_CASE("rigid body: a constant spin turns by its angle and stays a rotation")
 TEST_CASE("rigid body: a spin turns about the world's axes, whatever the body's own stand like") {
     RigidBody body = make_body(0.0);
     // Turned about x first, y lies along z; a quarter turn about the world's z leaves it there.
-    body.pose_W.orientation = Eigen::AngleAxisd(1.5707963267948966, Vector3::UnitX());
+    body.pose_W.orientation = AngleAxis(1.5707963267948966, Vector3::UnitX());
     body.spin_W = Vector3(0.0, 0.0, 1.5707963267948966);
     step_flight(body, Vector3::Zero(), 1.0);
     CHECK((body.pose_W.orientation * Vector3::UnitY() - Vector3::UnitZ()).norm() < 1e-12);

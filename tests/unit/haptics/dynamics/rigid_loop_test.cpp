@@ -291,7 +291,7 @@ TEST_CASE("rigid loop: a grip that knew the body turned otherwise turns it less"
     RigidPush push = make_push(kHigh_W, kHigh_W, Vector3::Zero());
     push.hold.push_W.torque = {0.0, 0.02, 0.0};
     push.hold.slopes.turn_stiffness_Nm_per_rad = 0.4;
-    push.pose_W.orientation = Quaternion(Eigen::AngleAxisd(-0.03, Vector3::UnitY()));
+    push.pose_W.orientation = Quaternion(AngleAxis(-0.03, Vector3::UnitY()));
     CubesLoop cubes = make_pushed_once(push);
     cubes.run(0.001);
     CHECK(cubes.loop->world().state(2).velocity_W.angular.y() ==

@@ -72,8 +72,8 @@ TEST_CASE("rigid world: a ring falls over a pole, which goes through its hole") 
 TEST_CASE("rigid world: a link hangs in another, tube on tube") {
     const SolidShape link = mesh_of(make_torus(0.05, 0.01, 64, 24));
     RigidWorldPlan plan;
-    const Quaternion upright(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitX()));
-    const Quaternion across(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitZ()));
+    const Quaternion upright(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitX()));
+    const Quaternion across(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitZ()));
     // The upper one's lowest inside is at -0.04, the lower one's highest inside 0.04 over its middle.
     plan.bodies = {{.shape = link, .role = BodyRole::stays, .pose_W = {Vector3::Zero(), upright}},
                    {.shape = link, .pose_W = {{0.0, -0.0798, 0.0}, across}}};
@@ -103,7 +103,7 @@ TEST_CASE("rigid world: a small world has room for all patches of its meshes") {
 
 TEST_CASE("rigid world: a cylinder of triangles lies still on a table") {
     RigidWorldPlan plan;
-    const Quaternion lying(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitX()));
+    const Quaternion lying(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitX()));
     // On one of its twelve sides, a hair above it.
     const double high_m = 0.05 * std::cos(std::numbers::pi / 12.0) + 1.0e-4;
     plan.bodies = {
@@ -111,9 +111,8 @@ TEST_CASE("rigid world: a cylinder of triangles lies still on a table") {
          .role = BodyRole::stays,
          .pose_W = Pose::at({0.0, -0.05, 0.0})},
         {.shape = mesh_of(make_cylinder(0.05, 0.2, 12)),
-         .pose_W = {
-             {0.0, high_m, 0.0},
-             Quaternion(Eigen::AngleAxisd(std::numbers::pi / 12.0, Vector3::UnitZ())) * lying}}};
+         .pose_W = {{0.0, high_m, 0.0},
+                    Quaternion(AngleAxis(std::numbers::pi / 12.0, Vector3::UnitZ())) * lying}}};
     auto world = make_world(plan);
     run(*world, 1.5);
     CHECK(world->state(1).velocity_W.linear.norm() < 1.0e-3);

@@ -14,10 +14,10 @@ TEST_CASE(
     constexpr double kThick_m = 0.01;
     RigidWorldPlan plan;
     const double tilt = 1.25e-3;  // one end 0.1 mm deep, the other 0.15 mm high
-    plan.bodies = {{.role = BodyRole::ground},
-                   {.shape = BoxShape{{kHalf_m, kThick_m, 0.02}},
-                    .pose_W = {{0.0, kThick_m + 2.5e-5, 0.0},
-                               Quaternion(Eigen::AngleAxisd(tilt, Vector3::UnitZ()))}}};
+    plan.bodies = {
+        {.role = BodyRole::ground},
+        {.shape = BoxShape{{kHalf_m, kThick_m, 0.02}},
+         .pose_W = {{0.0, kThick_m + 2.5e-5, 0.0}, Quaternion(AngleAxis(tilt, Vector3::UnitZ()))}}};
     auto made = RigidWorld::create(plan);
     REQUIRE(made);
     RigidWorld& world = **made;

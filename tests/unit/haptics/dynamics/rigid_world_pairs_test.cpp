@@ -14,7 +14,7 @@ constexpr double kFall_m_per_s2 = 9.81;
 
 // A block on a plane that leans by so much, half a second after it was laid there: how fast it goes down.
 double slide_m_per_s(double slope_rad, const RigidBodyPlan& plane, const RigidBodyPlan& block) {
-    const Quaternion turn(Eigen::AngleAxisd(slope_rad, Vector3::UnitZ()));
+    const Quaternion turn(AngleAxis(slope_rad, Vector3::UnitZ()));
     RigidWorldPlan plan;
     plan.settings.sleep_after_s = 0.0;
     plan.bodies = {plane, block};

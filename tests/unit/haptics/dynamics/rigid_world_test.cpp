@@ -74,7 +74,7 @@ TEST_CASE(
     "rigid world: on a slope a block sticks within the cone, and slides with g (sin a - mu cos a) "
     "beyond") {
     constexpr double kSlope_rad = 0.4;
-    const Quaternion turn(Eigen::AngleAxisd(kSlope_rad, Vector3::UnitZ()));
+    const Quaternion turn(AngleAxis(kSlope_rad, Vector3::UnitZ()));
     for (const double friction : {0.5, 0.2}) {
         RigidWorldPlan plan;
         RigidBodyPlan ground = make_ground(friction);

@@ -22,12 +22,12 @@ RigidState make_state(Random& random) {
 }
 
 // The state after a small change: dx, dtheta, dv, dw.
-RigidState move(const RigidState& state, const Eigen::Matrix<double, 12, 1>& change) {
+RigidState move(const RigidState& state, const Matrix<double, 12, 1>& change) {
     RigidState moved = state;
-    moved.pose_W.position += change.segment<3>(0);
-    moved.pose_W.orientation = compute_exp(change.segment<3>(3)) * moved.pose_W.orientation;
-    moved.velocity_W.linear += change.segment<3>(6);
-    moved.velocity_W.angular += change.segment<3>(9);
+    moved.pose_W.position += change.block<3, 1>(0, 0);
+    moved.pose_W.orientation = compute_exp(change.block<3, 1>(3, 0)) * moved.pose_W.orientation;
+    moved.velocity_W.linear += change.block<3, 1>(6, 0);
+    moved.velocity_W.angular += change.block<3, 1>(9, 0);
     return moved;
 }
 
@@ -48,7 +48,7 @@ double compute_slope_error(const Load& load, const RigidState& state) {
     double worst = (compute_wrench(load, state).head<3>() - wrench.force).norm();
     double largest = 1.0e-9;
     for (int i = 0; i < 12; ++i) {
-        Eigen::Matrix<double, 12, 1> change = Eigen::Matrix<double, 12, 1>::Zero();
+        Matrix<double, 12, 1> change = Matrix<double, 12, 1>::Zero();
         change[i] = kStep;
         const Vector6 slope = (compute_wrench(load, move(state, change)) -
                                compute_wrench(load, move(state, -change))) /

@@ -65,10 +65,10 @@ TEST_CASE("obb tree: the segment's test agrees with a search along the segment, 
         const Vector3 centre = random.in_cube();
         for (std::size_t row = 0; row < 3; ++row) {
             for (std::size_t column = 0; column < 3; ++column) {
-                box.axes[row][column] = static_cast<float>(
-                    turn(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
+                box.axes[row][column] =
+                    static_cast<float>(turn(static_cast<Index>(row), static_cast<Index>(column)));
             }
-            box.centre[row] = static_cast<float>(centre[static_cast<Eigen::Index>(row)]);
+            box.centre[row] = static_cast<float>(centre[static_cast<Index>(row)]);
         }
         const Vector3 from = 5.0 * random.in_cube();
         const Vector3 to = 5.0 * random.in_cube();
@@ -129,7 +129,7 @@ TEST_CASE("obb tree: a box as it is kept, in single precision, holds every corne
                 const Vector3 place =
                     box.to_frame(mesh->vertices_B()[static_cast<std::size_t>(corner)]);
                 for (std::size_t i = 0; i < 3; ++i) {
-                    worst = std::max(worst, std::abs(place[static_cast<Eigen::Index>(i)]) -
+                    worst = std::max(worst, std::abs(place[static_cast<Index>(i)]) -
                                                 static_cast<double>(box.half_size[i]));
                 }
             }

@@ -7,7 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -66,7 +65,7 @@ TEST_CASE(
     for (const int n : {3, 8, 64, 512}) {
         const double radius = 0.05;
         const double length = 0.4;
-        std::vector<Eigen::Vector2d> corners;
+        std::vector<Vector2> corners;
         for (int i = 0; i < n; ++i) {
             const double turn = 2.0 * std::numbers::pi * i / n;
             corners.emplace_back(radius * std::cos(turn), radius * std::sin(turn));

@@ -154,7 +154,7 @@ TEST_CASE("hull pair: where hulls meet, four points of their difference hold the
         REQUIRE(found.gap_m == 0.0);
         Matrix3 edges;
         for (std::size_t k = 0; k < 3; ++k) {
-            edges.col(static_cast<Eigen::Index>(k)) = found.held[k + 1] - found.held[0];
+            edges.col(static_cast<Index>(k)) = found.held[k + 1] - found.held[0];
         }
         const Vector3 shares = edges.inverse() * -found.held[0];
         REQUIRE(shares.minCoeff() > -1.0e-9);

@@ -119,7 +119,7 @@ TEST_CASE("axle stage: the load hangs where its torque has it, however the body 
     StillProxy proxy;
     // The body itself lies turned by a quarter; the load's place is along the world's axes.
     const Pose rest[] = {
-        {Vector3(1, 2, 3), Quaternion(Eigen::AngleAxisd(std::numbers::pi / 2, Vector3::UnitY()))}};
+        {Vector3(1, 2, 3), Quaternion(AngleAxis(std::numbers::pi / 2, Vector3::UnitY()))}};
     (void)stage.turn(rest, proxy);
     stage.push({}, {}, 1e-3);
     REQUIRE(channels->frame.take());

@@ -107,7 +107,7 @@ TEST_CASE(
     CHECK(shaded.memory_bytes() > flat.memory_bytes());
     // A place beside the middle of a triangle, the solid moved and turned.
     const Pose pose_W{Vector3(0.3, 0.2, 0.1),
-                      Quaternion(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()))};
+                      Quaternion(AngleAxis(0.7, Vector3(1, 2, 3).normalized()))};
     const auto& corners = mesh->corners(5);
     const Vector3 p0 = mesh->vertex_B(corners[0]);
     const Vector3 p1 = mesh->vertex_B(corners[1]);

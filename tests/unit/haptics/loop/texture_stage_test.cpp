@@ -52,8 +52,7 @@ TEST_CASE("texture stage: it is there where a solid has a texture") {
 }
 
 TEST_CASE("texture stage: the law in newtons, on a body that is moved and turned") {
-    const Pose pose_W{Vector3(1, 2, 3),
-                      Quaternion(Eigen::AngleAxisd(0.8, Vector3(1, 1, 0).normalized()))};
+    const Pose pose_W{Vector3(1, 2, 3), Quaternion(AngleAxis(0.8, Vector3(1, 1, 0).normalized()))};
     Stroked stroked(TextureLaw::lateral, pose_W);
     for (int i = 0; i < 40; ++i) {
         const double x = 5.0e-6 * i;

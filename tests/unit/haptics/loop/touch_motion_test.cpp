@@ -93,7 +93,7 @@ TEST_CASE("touch motion: the stroke is the way of the contact on the body, where
     // The body moves and turns; the contact goes 0.2 mm a round along its own x.
     for (int k = 0; k < 60; ++k) {
         floor.poses[0] = {Vector3(0.01 * k, 0.0, 0.0),
-                          Quaternion(Eigen::AngleAxisd(0.02 * k, Vector3::UnitY()))};
+                          Quaternion(AngleAxis(0.02 * k, Vector3::UnitY()))};
         floor.step(floor.poses[0] * Vector3(2.0e-4 * k, 0.0, 0.003), Vector3::Zero(), true);
     }
     const TouchedPlace& place = floor.motion.place(0);

@@ -15,7 +15,7 @@ namespace {
 
 TEST_CASE("length: a length is that of Pythagoras, and a direction has length 1") {
     CHECK(compute_length(Vector3(2.0, 3.0, 6.0)) == 7.0);
-    CHECK(compute_length(Eigen::Vector4d(1.0, 1.0, 1.0, 1.0)) == 2.0);
+    CHECK(compute_length(Vector4(1.0, 1.0, 1.0, 1.0)) == 2.0);
     CHECK(compute_direction(Vector3(0.0, -3.0, 4.0)) == Vector3(0.0, -0.6, 0.8));
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-1.0, 1.0);

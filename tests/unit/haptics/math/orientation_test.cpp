@@ -50,7 +50,7 @@ TEST_CASE(
     std::uniform_int_distribution<int> coordinate(-3, 3);
     const double far = 1048576.0 + 1.0 / 1024.0;  // rounds products, not differences
     for (int round = 0; round < 20000; ++round) {
-        std::array<Eigen::Matrix<std::int64_t, 3, 1>, 4> exact;
+        std::array<Matrix<std::int64_t, 3, 1>, 4> exact;
         std::array<Vector3, 4> points;
         for (std::size_t i = 0; i < 4; ++i) {
             for (int axis = 0; axis < 3; ++axis) {
@@ -59,9 +59,9 @@ TEST_CASE(
                 points[i][axis] = value * std::ldexp(1.0, -30) + far;
             }
         }
-        const Eigen::Matrix<std::int64_t, 3, 1> u = exact[1] - exact[0];
-        const Eigen::Matrix<std::int64_t, 3, 1> v = exact[2] - exact[0];
-        const Eigen::Matrix<std::int64_t, 3, 1> w = exact[3] - exact[0];
+        const Matrix<std::int64_t, 3, 1> u = exact[1] - exact[0];
+        const Matrix<std::int64_t, 3, 1> v = exact[2] - exact[0];
+        const Matrix<std::int64_t, 3, 1> w = exact[3] - exact[0];
         const std::int64_t determinant = u[0] * (v[1] * w[2] - v[2] * w[1]) +
                                          u[1] * (v[2] * w[0] - v[0] * w[2]) +
                                          u[2] * (v[0] * w[1] - v[1] * w[0]);

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <rapidcheck.h>
@@ -14,6 +15,11 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double kRounding = 1e-13;
+
+double find_radius(const MatrixXd& A) {
+    return compute_spectral_radius({A.data(), static_cast<std::size_t>(A.size())},
+                                   static_cast<std::size_t>(A.rows()));
+}
 
 MatrixXd make_pair(double length, double angle_rad) {
     MatrixXd turn(2, 2);
@@ -29,9 +35,9 @@ TEST_CASE(
     A.block<2, 2>(0, 0) = make_pair(1.25, 0.3);
     A.block<2, 2>(2, 2) = make_pair(0.5, 2.0);
     A.diagonal().tail<3>() << -1.2, 1e-3, 0.0;
-    CHECK(compute_spectral_radius(A) == Approx(1.25).epsilon(kRounding));
+    CHECK(find_radius(A) == Approx(1.25).epsilon(kRounding));
     A(4, 4) = -1.26;
-    CHECK(compute_spectral_radius(A) == Approx(1.26).epsilon(kRounding));
+    CHECK(find_radius(A) == Approx(1.26).epsilon(kRounding));
     // T A T^-1 of a shear T.
     MatrixXd T = MatrixXd::Identity(7, 7);
     T.diagonal(1).setConstant(0.7);
@@ -40,7 +46,7 @@ TEST_CASE(
         inverse.diagonal(k).setConstant(std::pow(-0.7, static_cast<double>(k)));
     }
     REQUIRE((T * inverse - MatrixXd::Identity(7, 7)).norm() < kRounding);
-    CHECK(compute_spectral_radius(T * A * inverse) == Approx(1.26).epsilon(1e-12));
+    CHECK(find_radius(T * A * inverse) == Approx(1.26).epsilon(1e-12));
 }
 
 TEST_CASE("spectral radius: of two numbers' matrix it is the root of its square equation") {
@@ -51,7 +57,7 @@ TEST_CASE("spectral radius: of two numbers' matrix it is the root of its square 
         const double square = mean * mean - A.determinant();
         const double longest =
             square >= 0.0 ? std::abs(mean) + std::sqrt(square) : std::sqrt(A.determinant());
-        RC_ASSERT(std::abs(compute_spectral_radius(A) - longest) < 1e-6 * (1e-6 + longest) + 1e-12);
+        RC_ASSERT(std::abs(find_radius(A) - longest) < 1e-6 * (1e-6 + longest) + 1e-12);
     });
     CHECK(holds);
 }
@@ -60,19 +66,19 @@ TEST_CASE("spectral radius: a mode that is there several times grows no more tha
     for (const Eigen::Index n : {2, 6, 12}) {
         MatrixXd A = MatrixXd::Identity(n, n);
         A.diagonal(1).setOnes();
-        CHECK(compute_spectral_radius(A) == Approx(1.0).margin(1e-9));
-        CHECK(compute_spectral_radius(0.5 * A) == Approx(0.5).margin(1e-9));
+        CHECK(find_radius(A) == Approx(1.0).margin(1e-9));
+        CHECK(find_radius(0.5 * A) == Approx(0.5).margin(1e-9));
     }
 }
 
 TEST_CASE("spectral radius: none of what comes to nothing, infinite of what is not finite") {
-    CHECK(compute_spectral_radius(MatrixXd(0, 0)) == 0.0);
-    CHECK(compute_spectral_radius(MatrixXd::Zero(3, 3)) == 0.0);
+    CHECK(find_radius(MatrixXd(0, 0)) == 0.0);
+    CHECK(find_radius(MatrixXd::Zero(3, 3)) == 0.0);
     MatrixXd ends = MatrixXd::Zero(3, 3);
     ends.diagonal(1).setOnes();
-    CHECK(compute_spectral_radius(ends) == 0.0);
-    CHECK(compute_spectral_radius(MatrixXd::Constant(1, 1, -1e300)) == Approx(1e300).epsilon(1e-9));
+    CHECK(find_radius(ends) == 0.0);
+    CHECK(find_radius(MatrixXd::Constant(1, 1, -1e300)) == Approx(1e300).epsilon(1e-9));
     MatrixXd bad = MatrixXd::Identity(3, 3);
     bad(1, 2) = std::numeric_limits<double>::quiet_NaN();
-    CHECK(compute_spectral_radius(bad) == std::numeric_limits<double>::infinity());
+    CHECK(find_radius(bad) == std::numeric_limits<double>::infinity());
 }

@@ -11,7 +11,7 @@ TEST_CASE("turned slopes: along other axes they give the same change of the wren
     Random random(3);
     for (int i = 0; i < 20; ++i) {
         const Matrix3 R = random.turn(3.0).toRotationMatrix();
-        const Matrix6 slopes_B = Matrix6::NullaryExpr([&] { return random.uniform(); });
+        const auto slopes_B = random.matrix<Matrix6>();
         const Vector3 way_B = random.vector();
         const Vector3 turn_B = random.vector();
         Vector6 change_B;

@@ -131,7 +131,7 @@ TEST_CASE("friction cone: a cursor of any shape slides along floor and wall by t
 TEST_CASE("friction cone: on the side of a capsule cursor's edge friction is that of the slope") {
     // A ridge along z, both sides at 45 degrees, and a capsule laid over one of them by its lower end.
     const double slope = 0.25 * 3.14159265358979323846;
-    const Quaternion turn(Eigen::AngleAxisd(slope, Vector3::UnitZ()));
+    const Quaternion turn(AngleAxis(slope, Vector3::UnitZ()));
     const SolidPlan ramp = rough(BoxShape{{2.0, 1.0, 2.0}}, 0.3, 0.3, Pose{Vector3::Zero(), turn});
     const Vector3 normal = turn * Vector3::UnitY();
     const Vector3 down = -(turn * Vector3::UnitX());

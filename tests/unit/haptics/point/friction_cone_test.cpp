@@ -111,12 +111,11 @@ TEST_CASE(
     proxy->reset({0.5, 0.01, 0.0});
     proxy->step(hand, {&kHere, 1});
     for (int i = 1; i <= 200; ++i) {
-        const Pose pose{Vector3::Zero(),
-                        Quaternion(Eigen::AngleAxisd(1.0e-3 * i, Vector3::UnitY()))};
+        const Pose pose{Vector3::Zero(), Quaternion(AngleAxis(1.0e-3 * i, Vector3::UnitY()))};
         const Vector3 p = proxy->step(hand, {&pose, 1}).position_W;
         REQUIRE(std::hypot(p.x() - 0.5, p.z()) <= 0.005 + kExact);
     }
-    const Pose pose{Vector3::Zero(), Quaternion(Eigen::AngleAxisd(0.2, Vector3::UnitY()))};
+    const Pose pose{Vector3::Zero(), Quaternion(AngleAxis(0.2, Vector3::UnitY()))};
     CHECK(std::abs(proxy->step(hand, {&pose, 1}).position_W.z() + 0.005) <= 1.0e-4);
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("god object: two plates that close like scissors push it out of their 
     // The blades cross on a line along z and open towards +x. Each turns about a line further out, so that the corner
     // moves out past the hand.
     const auto blade = [](double opening, double side) {
-        const Quaternion turn(Eigen::AngleAxisd(side * opening, Vector3::UnitZ()));
+        const Quaternion turn(AngleAxis(side * opening, Vector3::UnitZ()));
         const Vector3 pivot(1.0, side * 0.3, 0.0);
         return Pose{pivot - turn * Vector3(1.0, 0.0, 0.0), turn};
     };
@@ -75,7 +75,7 @@ TEST_CASE("god object: two plates that close like scissors push it out of their 
 }
 
 TEST_CASE("god object: an edge that comes down on it above a plate pushes it out of the gap") {
-    const Quaternion edge_down(Eigen::AngleAxisd(std::numbers::pi / 4.0, Vector3::UnitZ()));
+    const Quaternion edge_down(AngleAxis(std::numbers::pi / 4.0, Vector3::UnitZ()));
     const auto above = [&edge_down](double height) {
         return Pose{Vector3(0.0, height, 0.0), edge_down};
     };

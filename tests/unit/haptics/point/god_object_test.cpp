@@ -89,7 +89,7 @@ TEST_CASE("god object: inside a box, wall, edge and corner hold it at the analyt
 
 TEST_CASE("god object: a turned and moved box gives the turned and moved position") {
     const Pose pose{Vector3(0.7, -0.4, 1.2),
-                    Quaternion(Eigen::AngleAxisd(1.1, Vector3(1.0, -2.0, 0.5).normalized()))};
+                    Quaternion(AngleAxis(1.1, Vector3(1.0, -2.0, 0.5).normalized()))};
     Hand hand(touchable(make_box(Vector3(1.0, 2.0, 3.0))), pose * Vector3::Zero(), pose);
     const ProxyContact& contact = hand.go_to(pose * Vector3(0.7, 1.2, 1.9));
     CHECK((contact.position_W - pose * Vector3(0.5, 1.0, 1.5)).norm() <= kExact);
@@ -220,7 +220,7 @@ TEST_CASE("god object: a turning plate sweeps the proxy round, in small and in l
         const Vector3 still(0.5, 0.2, 0.03);
         Hand hand(plate, still);
         for (double turn = 0.0; turn < 1.5; turn += turn_a_step) {
-            const Pose pose{Vector3::Zero(), Quaternion(Eigen::AngleAxisd(turn, Vector3::UnitZ()))};
+            const Pose pose{Vector3::Zero(), Quaternion(AngleAxis(turn, Vector3::UnitZ()))};
             hand.put_solid(pose);
             const Vector3 in_plate = pose.inverse() * hand.go_to(still, 1).position_W;
             REQUIRE(in_plate.y() > 0.0);

@@ -12,8 +12,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double kRadius_m = 0.1;
-const Pose kPose{Vector3(3.0, -2.0, 1.0),
-                 Quaternion(Eigen::AngleAxisd(0.8, Vector3(0.6, 0.0, 0.8)))};
+const Pose kPose{Vector3(3.0, -2.0, 1.0), Quaternion(AngleAxis(0.8, Vector3(0.6, 0.0, 0.8)))};
 
 MovingObstacle make_plate_at(const Pose& pose_W) {
     return {std::make_unique<MeshObstacle>(touchable(make_plate(1.0, 1.0, 1)), kRadius_m), 2,

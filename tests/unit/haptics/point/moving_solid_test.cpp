@@ -11,8 +11,7 @@
 namespace fulcrum {
 namespace {
 
-const Pose kPose{Vector3(3.0, -2.0, 1.0),
-                 Quaternion(Eigen::AngleAxisd(0.8, Vector3(0.6, 0.0, 0.8)))};
+const Pose kPose{Vector3(3.0, -2.0, 1.0), Quaternion(AngleAxis(0.8, Vector3(0.6, 0.0, 0.8)))};
 
 MovingSolid make_solid(const Expected<TriangleMesh>& mesh, const Pose& pose_W) {
     REQUIRE(mesh);

@@ -120,7 +120,7 @@ TEST_CASE("plane constraints: a gap that is closed has no answer") {
 
 TEST_CASE("plane constraints: in a groove of a millionth of a radian both walls hold it exactly") {
     constexpr double kAngle_rad = 1.0e-6;
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vector3(0.3, -0.5, 0.8).normalized()));
+    const Quaternion turn(AngleAxis(0.7, Vector3(0.3, -0.5, 0.8).normalized()));
     const std::array walls{
         PlaneConstraint{turn * Vector3(std::cos(kAngle_rad), std::sin(kAngle_rad), 0.0), 0.0},
         PlaneConstraint{turn * Vector3(-std::cos(kAngle_rad), std::sin(kAngle_rad), 0.0), 0.0}};

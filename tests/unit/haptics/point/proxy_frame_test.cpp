@@ -10,8 +10,7 @@ namespace {
 TEST_CASE("proxy frame: the proxy goes where the solid takes it") {
     ProxyFrame frame;
     frame.put_proxy({1.0, 0.0, 0.0});
-    const Pose pose{{0.0, 2.0, 0.0},
-                    Quaternion(Eigen::AngleAxisd(std::acos(0.0), Vector3::UnitZ()))};
+    const Pose pose{{0.0, 2.0, 0.0}, Quaternion(AngleAxis(std::acos(0.0), Vector3::UnitZ()))};
     CHECK(frame.take_pose(pose));
     CHECK((frame.carried_proxy_W() - Vector3(0.0, 3.0, 0.0)).norm() <= 1.0e-15);
     frame.put_proxy({5.0, 5.0, 5.0});

@@ -98,7 +98,7 @@ TEST_CASE(
             proxy.reset(Vector3::Zero());
             for (int i = 0; i < 40; ++i) {
                 pose.position.y() = -0.1 + 0.005 * i;
-                pose.orientation = Quaternion(Eigen::AngleAxisd(0.01 * i, axis)) * turn;
+                pose.orientation = Quaternion(AngleAxis(0.01 * i, axis)) * turn;
                 const ProxyContact& contact = proxy.step(Vector3::Zero(), std::span(&pose, 1));
                 const Vector3 at_B = pose.inverse() * contact.position_W;
                 // Over the plate, by a cursor's least half size; or past its border.

@@ -17,8 +17,7 @@
 namespace fulcrum {
 namespace {
 
-const Pose kPose{Vector3(0.7, -0.4, 1.2),
-                 Quaternion(Eigen::AngleAxisd(1.1, Vector3(0.6, 0.0, 0.8)))};
+const Pose kPose{Vector3(0.7, -0.4, 1.2), Quaternion(AngleAxis(1.1, Vector3(0.6, 0.0, 0.8)))};
 
 CursorShape cursor_of(double radius_m) {
     return radius_m > 0.0 ? CursorShape(SphereShape{radius_m}) : CursorShape();

@@ -48,8 +48,7 @@ TEST_CASE("virtual proxy: a body that tumbles never gets over it") {
         proxy.reset(0.2 * random.direction());
         Pose pose;
         for (int i = 0; i < 2000; ++i) {
-            pose.orientation =
-                Quaternion(Eigen::AngleAxisd(1.0e-3 * spin.norm() * i, spin.normalized()));
+            pose.orientation = Quaternion(AngleAxis(1.0e-3 * spin.norm() * i, spin.normalized()));
             pose.position = 0.02 * Vector3(std::sin(0.01 * i), 0.0, std::cos(0.013 * i));
             const ProxyContact& contact = proxy.step(hand, std::span(&pose, 1));
             const Vector3 at_B = pose.inverse() * contact.position_W;
@@ -64,7 +63,7 @@ TEST_CASE("virtual proxy: two plates that close on it push it out sideways") {
     const auto plate = touchable(make_box(Vector3(0.2, 0.02, 0.2)));
     const double tilt = 0.3;
     std::vector<Pose> poses(2);
-    poses[1].orientation = Quaternion(Eigen::AngleAxisd(tilt, Vector3::UnitZ()));
+    poses[1].orientation = Quaternion(AngleAxis(tilt, Vector3::UnitZ()));
     VirtualProxy proxy = make_ball(
         {SolidPlan{.body = 0, .shape = plate, .initial_pose_W = Pose::at(Vector3(0.0, -0.05, 0.0))},
          SolidPlan{.body = 1,

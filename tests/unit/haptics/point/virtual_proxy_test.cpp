@@ -102,7 +102,7 @@ TEST_CASE("virtual proxy: round an edge and a corner it is a radius from them, t
             const Vector3 nearest = wish.cwiseMin(0.5);
             const Vector3 place = nearest + 0.1 * (wish - nearest).normalized();
             const ProxyContact& contact = hand.go_to(scale * wish);
-            INFO("scale " << scale << " wish " << wish.transpose());
+            CAPTURE(scale, wish);
             CHECK((contact.position_W - scale * place).norm() <= 3.0e-8 * scale);
             CHECK(contact.n_constraints == 1);
         }
@@ -111,7 +111,7 @@ TEST_CASE("virtual proxy: round an edge and a corner it is a radius from them, t
 
 TEST_CASE("virtual proxy: a turned and moved box gives the turned and moved place") {
     const Pose pose{Vector3(0.7, -0.4, 1.2),
-                    Quaternion(Eigen::AngleAxisd(1.1, Vector3(1.0, -2.0, 0.5).normalized()))};
+                    Quaternion(AngleAxis(1.1, Vector3(1.0, -2.0, 0.5).normalized()))};
     Hand hand(touchable(make_box(Vector3(1.0, 2.0, 3.0))), 0.2, pose * Vector3::Zero(), pose);
     const ProxyContact& contact = hand.go_to(pose * Vector3(0.7, 1.2, 1.9));
     CHECK((contact.position_W - pose * Vector3(0.3, 0.8, 1.3)).norm() <= kExact);

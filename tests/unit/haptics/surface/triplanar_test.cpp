@@ -33,9 +33,9 @@ TEST_CASE("triplanar: a face along an axis has one view, u and v as told") {
     const Vector3 p(0.01, 0.02, 0.03);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const double sign : {1.0, -1.0}) {
-            const Vector3 normal = sign * Vector3::Unit(static_cast<Eigen::Index>(axis));
+            const Vector3 normal = sign * Vector3::Unit(static_cast<Index>(axis));
             const Vector3 weights = compute_view_weights(normal);
-            CHECK(weights == Vector3::Unit(static_cast<Eigen::Index>(axis)));
+            CHECK(weights == Vector3::Unit(static_cast<Index>(axis)));
         }
     }
     CHECK(project_on_view(0, p).u_m == 0.03);

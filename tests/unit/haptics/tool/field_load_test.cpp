@@ -65,10 +65,10 @@ Pointshell make_inner_points(int n, double depth_voxels = 0.8,
         const double depth_m = frame.voxel_m * (depth_voxels + 0.5 * random.uniform());
         const Vector3 p_O = (kRadius_m - depth_m) * u;
         const Vector3 g = frame.to_lattice(p_O);
-        const Vector3 within = g - Vector3(g.array().floor());
+        const Vector3 within = g - Vector3(g.cwiseFloor());
         // Of the bricks' centres too, between which the depth beyond the band is told.
         const Vector3 brick = g / 8.0 - Vector3::Constant(0.5);
-        const Vector3 within_brick = brick - Vector3(brick.array().floor());
+        const Vector3 within_brick = brick - Vector3(brick.cwiseFloor());
         if (within.minCoeff() > 0.2 && within.maxCoeff() < 0.8 && within_brick.minCoeff() > 0.02 &&
             within_brick.maxCoeff() < 0.98) {
             shell.add(X_OT.inverse() * p_O, (random.direction() + 2.0 * u).normalized());

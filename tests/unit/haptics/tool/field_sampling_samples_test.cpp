@@ -59,7 +59,7 @@ std::vector<Pose> make_way(double step_voxels, int n) {
     Wanderer wanderer(5, step_voxels);
     std::vector<Pose> way;
     for (int i = 0; i < n; ++i) {
-        const Quaternion turn(Eigen::AngleAxisd(1.0e-3 * std::sin(0.1 * i), Vector3::UnitY()));
+        const Quaternion turn(AngleAxis(1.0e-3 * std::sin(0.1 * i), Vector3::UnitY()));
         way.push_back({1.02 * voxel_m * wanderer.next(), turn});
     }
     return way;

@@ -88,7 +88,7 @@ TEST_CASE(
 
 TEST_CASE("field sampling sweep: a tool in contact leaves and slides as far as it likes") {
     FieldSampler sampler = make_ball_on_box();
-    const Quaternion turned(Eigen::AngleAxisd(0.4, Vector3(1, 2, 3).normalized()));
+    const Quaternion turned(AngleAxis(0.4, Vector3(1, 2, 3).normalized()));
     for (const double depth_m : {-1.0e-5, 0.0, 1.0e-5, 3.0e-4, 3.0e-3}) {
         INFO(depth_m);
         const Pose from = at_depth(depth_m);

@@ -112,7 +112,7 @@ TEST_CASE(
             FieldSampler::build(box, shell, {.stiffness_N_per_m = 50.0, .along = along}).value();
         const double d = 0.01;
         const Pose X_WO{{3.0, 1.0, -2.0},
-                        Quaternion(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()))};
+                        Quaternion(AngleAxis(0.7, Vector3(1, 2, 3).normalized()))};
         const FieldTouch touch = sampler.step(X_WO, X_WO * Pose::at({0.0, 0.55 - d, 0.0}));
         const double n = kSide * kSide;
         const Vector3 force_O = 50.0 * d * n * Vector3::UnitY();
@@ -190,7 +190,7 @@ TEST_CASE("field sampling: by itself it takes the law by which no closed way gai
     const FieldSampler::Shell plate = make_shell(*make_inverted(*make_plate(0.3, 0.3, 4)), 3000);
     const auto gain = [&](ForceAlong along) {
         FieldSampler sampler = FieldSampler::build(box, plate, {.along = along}).value();
-        const Quaternion tilt(Eigen::AngleAxisd(0.2, Vector3::UnitZ()));
+        const Quaternion tilt(AngleAxis(0.2, Vector3::UnitZ()));
         constexpr int kSteps = 2000;
         double gained_J = 0.0;
         double done_J = 0.0;

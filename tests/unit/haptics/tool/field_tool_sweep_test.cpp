@@ -119,7 +119,7 @@ TEST_CASE(
     // Object and tool go up together, and the object is where it was seen from.
     const ToolMotion motion{Pose::at(at), object.pose_W, object};
     REQUIRE(sampling.stop_at_touch(motion, 0.0, end));
-    const double angle = Eigen::AngleAxisd(end.pose_W.orientation).angle();
+    const double angle = AngleAxis(end.pose_W.orientation).angle();
     CHECK(angle == Approx(std::asin((over_m + voxel_m) / 0.02)).margin(0.25 * voxel_m / 0.016));
     CHECK((end.pose_W.position - at).norm() < 1.0e-12);
     CHECK(end.velocity_W.linear.y() == Approx(1.0));
@@ -140,7 +140,7 @@ TEST_CASE(
     RigidState deeper = end;
     deeper.pose_W.orientation = compute_exp({0.0, 0.0, 1.3});
     REQUIRE(sampling.stop_at_touch(leaving, 1.5 * voxel_m, deeper));
-    CHECK(Eigen::AngleAxisd(deeper.pose_W.orientation).angle() < 0.72);
+    CHECK(AngleAxis(deeper.pose_W.orientation).angle() < 0.72);
 }
 
 TEST_CASE("field tool sweep: what is slow or far away goes as without, to the bit") {

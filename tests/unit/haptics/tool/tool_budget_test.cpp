@@ -207,8 +207,7 @@ TEST_CASE("tool budget: a look that was cut short tells the last force, a step l
     REQUIRE(first.n_left == 0);
     REQUIRE(first.wrench_W.force.y() > 1.0);
     // All has turned and moved since: the force turns along.
-    const Pose X_WO{{0.3, -0.1, 0.2},
-                    Quaternion(Eigen::AngleAxisd(0.8, Vector3(1.0, 2.0, -2.0) / 3.0))};
+    const Pose X_WO{{0.3, -0.1, 0.2}, Quaternion(AngleAxis(0.8, Vector3(1.0, 2.0, -2.0) / 3.0))};
     const FieldTouch all = look(kPlenty_us, X_WO);
     (void)look(kPlenty_us, Pose{});
     const FieldTouch held = look(kNone_us, X_WO);

@@ -79,7 +79,7 @@ TEST_CASE(
                     worst_voxels, std::abs(value_m - exact.value_m) / field().frame().voxel_m);
                 const Vector3 slope =
                     field().step_m() / field().frame().voxel_m *
-                    Eigen::Vector3f(slopes[0][i], slopes[1][i], slopes[2][i]).cast<double>();
+                    Vector3f(slopes[0][i], slopes[1][i], slopes[2][i]).cast<double>();
                 // Beside a cell's face the slope is the neighbour's.
                 CHECK((slope - exact.slope).norm() < 0.5);
             }
@@ -136,7 +136,7 @@ TEST_CASE("distance field batch: along slopes no closed way gains energy, at any
     for (const double radius_m : {1.47, 1.0, 0.3}) {
         const auto place = [&](double angle) {
             return Pose{radius_m * Vector3(std::cos(angle), std::sin(angle), 0.1),
-                        Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitY()))};
+                        Quaternion(AngleAxis(angle, Vector3::UnitY()))};
         };
         double work = 0.0;
         double most = 0.0;

@@ -100,8 +100,9 @@ TEST_CASE("distance field: its slope is the derivative of its value") {
         const Vector3 lattice =
             field.frame().to_lattice((1.0 + 0.05 * random.uniform()) * random.direction());
         // Within a cell, so that no face is crossed.
-        const Vector3 p = field.frame().lower_O +
-                          s * (lattice.array().floor() + 0.5 + 0.4 * random.uniform()).matrix();
+        const Vector3 p =
+            field.frame().lower_O +
+            s * (lattice.cwiseFloor() + Vector3::Constant(0.5 + 0.4 * random.uniform()));
         for (int axis = 0; axis < 3; ++axis) {
             const Vector3 step = 1.0e-3 * s * Vector3::Unit(axis);
             const double slope =

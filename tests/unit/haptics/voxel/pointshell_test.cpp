@@ -83,7 +83,7 @@ TEST_CASE("pointshell on the mesh: as many points as asked for, on the surface, 
         for (std::size_t i = 0; i < shell.size(); ++i) {
             const Vector3 share =
                 shell.position_T(i).cwiseAbs().cwiseQuotient(Vector3(0.1, 0.05, 0.15));
-            Eigen::Index face = 0;
+            Index face = 0;
             REQUIRE(share.maxCoeff(&face) == Approx(1.0).epsilon(1.0e-6));
             REQUIRE(shell.normal_T(i)[face] * shell.position_T(i)[face] < 0.0);
             REQUIRE(std::abs(shell.normal_T(i)[face]) == Approx(1.0).epsilon(1.0e-6));

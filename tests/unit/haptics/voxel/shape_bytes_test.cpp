@@ -80,7 +80,7 @@ TEST_CASE("shape bytes: a frame lies in the bytes axis by axis, and comes back s
         return number;
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        CHECK(number_at(8 * axis, 0.0) == frame.lower_O[static_cast<Eigen::Index>(axis)]);
+        CHECK(number_at(8 * axis, 0.0) == frame.lower_O[static_cast<Index>(axis)]);
         CHECK(number_at(32 + 4 * axis, std::int32_t{0}) == frame.n_cells[axis]);
     }
     CHECK(number_at(24, 0.0) == frame.voxel_m);

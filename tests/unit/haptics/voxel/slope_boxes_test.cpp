@@ -69,9 +69,8 @@ TEST_CASE("slope boxes: over a hole no way is known not to fall, beside it all i
         CHECK(over.find_fall(to_floats(way)) < -1.0e6F);
     }
     const Vector3 other_O = -(corner(0) + corner(1) + corner(2)) / 3.0;
-    const Vector3 out =
-        other_O.cwiseAbs().maxCoeff() *
-        other_O.cwiseProduct((other_O.cwiseAbs().array() > 0.49).cast<double>().matrix());
+    const Vector3 out = other_O.cwiseAbs().maxCoeff() *
+                        other_O.unaryExpr([](double x) { return std::abs(x) > 0.49 ? x : 0.0; });
     const SlopeBox beside = boxes.find(to_floats(field.frame().to_lattice(other_O)), 2.0F);
     CHECK(beside.find_fall(to_floats(out)) == 0.0F);
 }

@@ -61,7 +61,7 @@ TEST_CASE(
     CHECK(stick.life.moves_at_N < hid::HidHandSettings{}.full_force_N);
     // Its motors push to the right and up; the throttle has none.
     CHECK(stick.pushed_D == Vector3(1.0, 1.0, 0.0));
-    CHECK((stick.stop_D.array() < reach_D.array()).all());
+    CHECK(all_below(stick.stop_D, reach_D));
 }
 
 TEST_CASE(

@@ -40,7 +40,7 @@ TEST_CASE("key hand: each of its keys moves the pointer its way, and no other ke
     const auto moved = [](const std::string& key) {
         KeyHand hand;
         const WindowEvents events = frames(hand, pressed(key), 10);
-        return Eigen::Vector2d(events.pointer_x_px - 500.0, events.pointer_y_px - 250.0);
+        return fulcrum::Vector2(events.pointer_x_px - 500.0, events.pointer_y_px - 250.0);
     };
     CHECK(moved("a").x() < -5.0);
     CHECK(moved("d").x() > 5.0);
@@ -124,7 +124,7 @@ TEST_CASE("key hand: who has the mouse in the left hand has I J K L under the ri
         KeyHand hand;
         hand.hold_by(left_handed);
         const WindowEvents events = frames(hand, pressed(key), 10);
-        return Eigen::Vector2d(events.pointer_x_px - 500.0, events.pointer_y_px - 250.0);
+        return fulcrum::Vector2(events.pointer_x_px - 500.0, events.pointer_y_px - 250.0);
     };
     CHECK(moved(true, "i").y() < -5.0);
     CHECK(moved(true, "j").x() < -5.0);

@@ -55,8 +55,8 @@ const dialogue::Catalogue& words() {
     return kWords;
 }
 
-View shown(const LiveEar& ear) {
-    View view;
+runtime::View shown(const LiveEar& ear) {
+    runtime::View view;
     view.input_visible = true;
     ear.show(view, words());
     return view;
@@ -97,7 +97,7 @@ TEST_CASE("live ear: where nobody listens the key means nothing and nothing is s
     LiveEar ear(ListenMode::hold, open_quiet);
     CHECK_FALSE(ear.take_keys(key_down("control")));
     CHECK_FALSE(ear.step(false, false));
-    View view;
+    runtime::View view;
     ear.show(view, words());
     CHECK_FALSE(view.microphone.visible);
     CHECK(view.banner.empty());
@@ -118,7 +118,7 @@ TEST_CASE(
     LiveEar ear(ListenMode::hold, open_none);
     CHECK(wait_for([&] { return shown(ear).banner == "NONE"; }));
     CHECK_FALSE(shown(ear).microphone.visible);
-    View view;
+    runtime::View view;
     view.input_visible = true;
     view.banner = "another";
     ear.show(view, words());

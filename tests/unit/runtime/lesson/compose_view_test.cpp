@@ -24,7 +24,9 @@ struct Shown {
         world.n_bodies = 2;
         scenery.world = &world;
     }
-    [[nodiscard]] View view() const { return compose_view(lesson, plan, hud, scenery, words()); }
+    [[nodiscard]] runtime::View view() const {
+        return compose_view(lesson, plan, hud, scenery, words());
+    }
 };
 
 }  // namespace
@@ -74,7 +76,7 @@ TEST_CASE("view: a held thing shows its felt and its true weight in newtons") {
     Shown shown;
     shown.world.bodies[0].where = BodyWhere::held;
     shown.scenery.hand.applied_W.force = {0.0, -1.962, 0.0};
-    const View view = shown.view();
+    const runtime::View view = shown.view();
     CHECK(view.force.visible);
     CHECK(view.force.text == "felt 2.0 N, true 2.0 N");
     CHECK(view.force.force_W.y() == Approx(-1.962));
@@ -92,7 +94,7 @@ TEST_CASE(
     CHECK(shown.view().bodies[0].scale.y() == 1.0);
     shown.scenery.renders_force = false;
     shown.scenery.ghost = true;
-    const View view = shown.view();
+    const runtime::View view = shown.view();
     CHECK(view.bodies[0].scale.y() < 1.0);
     CHECK(view.bodies[0].scale.prod() == Approx(1.0));  // flatter and wider: the same volume
     CHECK(view.ghost_visible);
@@ -102,14 +104,14 @@ TEST_CASE("view: a cursor with a shape is drawn in it, and does not turn as the 
     Shown shown;
     shown.lesson.bucket.present = false;
     shown.scenery.ghost = true;
-    const Quaternion turned(Eigen::AngleAxisd(0.4, Vector3::UnitX()));
+    const Quaternion turned(AngleAxis(0.4, Vector3::UnitX()));
     shown.scenery.hand.proxy_position_W = {0.1, 0.2, 0.3};
     shown.scenery.hand.proxy_orientation_W = turned;
     shown.scenery.ghost_pose_W.orientation = turned;
     CHECK(shown.view().tool.model == "cursor");
     CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
     shown.lesson.hand.cursor = CapsuleShape{0.01, 0.03};
-    const View view = shown.view();
+    const runtime::View view = shown.view();
     CHECK(view.tool.model == kToolModel);
     CHECK(view.tool.pose_W.position == Vector3(0.1, 0.2, 0.3));
     CHECK(view.tool.pose_W.orientation.isApprox(Quaternion::Identity()));
@@ -130,12 +132,12 @@ TEST_CASE("view: two hands have a colour each, a number each, and forces to one 
     CHECK(shown.view().more_hands.empty());  // nobody moves it
     HandScenery second;
     second.hand.proxy_position_W = {0.1, 0.2, 0.3};
-    second.hand.proxy_orientation_W = Quaternion(Eigen::AngleAxisd(0.4, Vector3::UnitX()));
+    second.hand.proxy_orientation_W = Quaternion(AngleAxis(0.4, Vector3::UnitX()));
     second.hand.applied_W.force = {1.5, 0.0, 0.0};
     second.ghost = true;
     second.ghost_pose_W.position = {0.15, 0.2, 0.3};
     shown.scenery.more_hands = {second};
-    const View view = shown.view();
+    const runtime::View view = shown.view();
     CHECK(view.tool.label.empty());
     CHECK(view.force.text == "1: 2.0 N");
     REQUIRE(view.more_hands.size() == 1);
@@ -169,7 +171,7 @@ TEST_CASE("view: without a world the visible bodies stand where the lesson put t
 TEST_CASE("view: score, level, caption and stars come from the session") {
     Shown shown;
     shown.hud = {"Catch!", "Yes!", true, 1.0, 7, 2, "Three things", 3};
-    const View view = shown.view();
+    const runtime::View view = shown.view();
     CHECK(view.caption == "Catch!");
     CHECK(view.feedback == "Yes!");
     CHECK(view.input_visible);

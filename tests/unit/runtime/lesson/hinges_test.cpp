@@ -108,7 +108,7 @@ TEST_CASE("hinges: the picture shows both torques as force times lever arm, from
     const AxleFrame axles = pressed();
     Scenery scenery;
     scenery.hand.applied_W.force = {0, 2, 0};
-    View view = compose_view(lesson, plan, {}, scenery, torque_words());
+    runtime::View view = compose_view(lesson, plan, {}, scenery, torque_words());
     CHECK(view.torques.empty());
     CHECK(view.force.visible);
     scenery.axles = &axles;

@@ -46,14 +46,14 @@ const dialogue::Catalogue& kite_words() {
     return catalogue;
 }
 
-View look(const LessonDescription& lesson, const SessionHud& hud, const KiteFrame* kite) {
+runtime::View look(const LessonDescription& lesson, const SessionHud& hud, const KiteFrame* kite) {
     Scenery scenery;
     scenery.kite = kite;
     return compose_view(lesson, compile_plan(lesson, {}, nullptr).value(), hud, scenery,
                         kite_words());
 }
 
-long count(const View& view, std::string_view model) {
+long count(const runtime::View& view, std::string_view model) {
     return std::ranges::count(view.bodies, model, &ViewBody::model);
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("kite: it is seen larger about its knot, with line, bridle, tail and w
     const KiteFrame flown = fly(10.0);
     SessionHud hud;
     hud.kite_design = KiteSettings{};
-    const View view = look(lesson, hud, &flown);
+    const runtime::View view = look(lesson, hud, &flown);
     CHECK(view.kite_design == hud.kite_design);
     REQUIRE(count(view, kKiteModel) == 1);
     const auto kite = std::ranges::find(view.bodies, kKiteModel, &ViewBody::model);
@@ -175,7 +175,7 @@ TEST_CASE(
     SessionHud hud;
     hud.kite_design = KiteSettings{};
     hud.shows_kite_forces = true;
-    const View view = look(lesson, hud, &flown);
+    const runtime::View view = look(lesson, hud, &flown);
     REQUIRE(view.forces.size() == 4);
     CHECK(view.forces[0].text == "lift " + newtons_text(flown.report.lift_W.norm()) + " N");
     CHECK(view.forces[0].look == ForceLook::lift);
@@ -190,10 +190,10 @@ TEST_CASE("kite: the wind is seen by what it carries along, and calm air carries
     KiteFrame flown = fly(5.0);
     SessionHud hud;
     hud.kite_design = KiteSettings{};
-    const View before = look(lesson, hud, &flown);
+    const runtime::View before = look(lesson, hud, &flown);
     flown.report.air_way_m += 0.5;
-    const View after = look(lesson, hud, &flown);
-    const auto first = [](const View& view) {
+    const runtime::View after = look(lesson, hud, &flown);
+    const auto first = [](const runtime::View& view) {
         return std::ranges::find(view.bodies, kWispModel, &ViewBody::model)->pose_W.position.x();
     };
     CHECK(first(after) > first(before));

@@ -15,7 +15,7 @@ namespace {
 // A cylinder of 2 cm by 30 cm that lies along x in its principal axes' frame, and is held upright 10 cm below its middle.
 ToolPlan make_plan(bool in_voxels) {
     const Quaternion handle_turn(
-        Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitZ()));  // x of T is y of the handle
+        AngleAxis(0.5 * std::numbers::pi, Vector3::UnitZ()));  // x of T is y of the handle
     ToolOrder order;
     order.settings.handle_turn = handle_turn;
     order.settings.grip_T = Vector3(-0.1, 0.0, 0.0);
@@ -30,7 +30,7 @@ ToolPlan make_plan(bool in_voxels) {
 // The same stick as contact levels.
 ToolPlan make_plan_of_levels() {
     const TriangleMesh upright = make_cylinder(0.01, 0.3, 48).value();
-    const Quaternion turn(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3::UnitZ()));
+    const Quaternion turn(AngleAxis(-0.5 * std::numbers::pi, Vector3::UnitZ()));
     std::vector<Vector3> vertices = upright.vertices_B();
     for (Vector3& vertex : vertices) {
         vertex = turn * vertex;
@@ -55,7 +55,7 @@ TEST_CASE("tool extent: how far a stick reaches from the hand in each direction,
         CHECK(extent_m(upright, -Vector3::UnitY()) == Approx(0.05).margin(kBetweenPoints_m));
         CHECK(extent_m(upright, Vector3::UnitX()) == Approx(0.01).margin(kBetweenPoints_m));
         CHECK(extent_m(upright, Vector3::UnitZ()) == Approx(0.01).margin(kBetweenPoints_m));
-        const Quaternion leaned(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3::UnitZ()));
+        const Quaternion leaned(AngleAxis(-0.5 * std::numbers::pi, Vector3::UnitZ()));
         CHECK(extent_m(leaned, Vector3::UnitX()) == Approx(0.25).margin(kBetweenPoints_m));
         CHECK(extent_m(leaned, Vector3::UnitY()) == Approx(0.01).margin(kBetweenPoints_m));
     }

@@ -72,9 +72,9 @@ TEST_CASE("camera: the matrix for OpenGL agrees with project") {
     for (const Vector3& point : {Vector3(0.2, 0.1, -0.4), Vector3(-0.5, 0.8, 0.3)}) {
         const auto seen = camera.project(point);
         REQUIRE(seen);
-        const Eigen::Vector4f world(static_cast<float>(point.x()), static_cast<float>(point.y()),
-                                    static_cast<float>(point.z()), 1.0F);
-        const Eigen::Vector4f clip = camera.clip_from_world() * world;
+        const Vector4f world(static_cast<float>(point.x()), static_cast<float>(point.y()),
+                             static_cast<float>(point.z()), 1.0F);
+        const Vector4f clip = camera.clip_from_world() * world;
         const double x_px = 0.5 * (1.0 + static_cast<double>(clip.x() / clip.w())) * 1280.0;
         const double y_px = 0.5 * (1.0 - static_cast<double>(clip.y() / clip.w())) * 720.0;
         CHECK(x_px == Approx(seen->position_px.x()).margin(1e-2));
@@ -132,7 +132,7 @@ TEST_CASE("camera: the pointer lies on the upright plane through the target, and
     const CameraDescription description;
     const Camera camera(description, 1280, 720);
     for (const double wheel_m : {0.0, 0.2, -0.15}) {
-        const Eigen::Vector2d pointer(300.0, 500.0);
+        const Vector2 pointer(300.0, 500.0);
         const auto place = pointer_on_plane(camera, pointer, wheel_m);
         REQUIRE(place);
         // The eye looks along -Z, so the plane is z = target's z - wheel.

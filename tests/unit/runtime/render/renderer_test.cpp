@@ -11,7 +11,7 @@ TEST_CASE("picture: numbers that are not finite, huge or upside down break nothi
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     const Image empty = studio->draw(view);
     view.bodies = {body("red", {kNan, 0.0, 0.0}), body("red", {0.0, 1e300, 0.0})};
     view.bodies.push_back(body("red", {0.0, 0.4, 0.0}));
@@ -46,7 +46,7 @@ TEST_CASE("picture: hostile words break nothing") {
     for (const std::string& words :
          {bytes, std::string(100'000, '*'), std::string(5'000, 'W'),
           std::string("\xF0\x9F\x8D\x8E \xED\x95\x9C\xEA\xB5\xAD \xD7\xA9\xCC\x81")}) {
-        View view = nothing();
+        runtime::View view = nothing();
         view.bodies = {body("red", {0.0, 0.4, 0.0})};
         view.bodies[0].label = words;
         view.title = view.caption = view.feedback = view.input = view.banner = words;
@@ -66,7 +66,7 @@ TEST_CASE("picture: any size is drawn, none at all is left alone") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.caption = "Catch the fruit.";
     view.bodies = {body("red", {0.0, 0.4, 0.0})};
     const Image before = studio->draw(view);
@@ -90,7 +90,7 @@ TEST_CASE("picture: edges are smooth") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("red", {0.0, 0.45, 0.0})};
     const Image image = studio->draw(view);
     // Going out of the ball, some pixel is neither the ball's nor the background's.
@@ -153,7 +153,7 @@ TEST_CASE("renderer: a model's picture is seen on it") {
     model.images.push_back({1, 2, {0, 0, 255, 255, 0, 0, 255, 255}});
     model.primitives[0].image = 0;
     REQUIRE(studio->renderer->add_model(model));
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("painted", {0.0, 0.4, 0.0})};
     const auto p = pixel_at(studio->draw(view), view, {0.0, 0.4, 0.1});
     CHECK(p[2] > 150);
@@ -171,7 +171,7 @@ TEST_CASE("renderer: a missing font is a notice, and the picture is drawn") {
     auto renderer = Renderer::create(settings);
     REQUIRE(renderer);
     REQUIRE((*renderer)->notices().size() == 1);
-    View view = nothing();
+    runtime::View view = nothing();
     view.caption = "Words";
     (*renderer)->draw(view, 320, 180);
     CHECK(brightness(pixel((*screen)->read_back(), 160, 20)) > 300);

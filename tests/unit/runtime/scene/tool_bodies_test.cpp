@@ -44,7 +44,7 @@ double count_voxels(const ToolBodyList& list) {
     double n = 0.0;
     for (const ToolBodyList::Mesh& each : list.meshes) {
         const Vector3 size_m = each.mesh.upper_B() - each.mesh.lower_B();
-        n += ((size_m / each.voxel_m).array() + 24.0).prod();
+        n += (size_m / each.voxel_m + Vector3::Constant(24.0)).prod();
     }
     return n;
 }

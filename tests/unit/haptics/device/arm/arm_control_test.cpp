@@ -1,6 +1,7 @@
 #include "haptics/device/arm/arm_control.h"
 
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
+#include "tests/unit/haptics/device/arm/dense_joints.h"
 
 #include <catch2/catch.hpp>
 
@@ -52,13 +53,13 @@ TEST_CASE("arm control: the wrench does at the joints the work that it does at t
     for (int k = 0; k < 200; ++k) {
         const JointVector q = make_wam_home() + draw(random, 7, 0.5);
         const JointVector v = draw(random, 7, 1.0);
-        const Wrench wrench{Vector3(draw(random, 3, 5.0)), Vector3(draw(random, 3, 0.1))};
+        const Wrench wrench{draw_vector(random, 5.0), draw_vector(random, 0.1)};
         const Place place(wam, q);
         const ArmCommand command = step(control, wam, q, JointVector::Zero(7), wrench);
         REQUIRE(command.wrench_share == 1.0);
         const double joints_W =
             v.dot(command.torque_Nm - compute_weight_torque(wam, place.posture));
-        const Vector6 motion = place.posture.jacobian_B * v;
+        const Vector6 motion = compute_motion_B(place.posture, v);
         REQUIRE(joints_W == Approx(stack(wrench).dot(motion)).margin(1e-10));
     }
 }
@@ -72,7 +73,7 @@ TEST_CASE(
     for (int k = 0; k < 2000; ++k) {
         const JointVector q = draw(random, 7, 2.0);
         const double size = std::pow(10.0, (k % 7) - 1);
-        const Wrench wrench{Vector3(draw(random, 3, size)), Vector3(draw(random, 3, size))};
+        const Wrench wrench{draw_vector(random, size), draw_vector(random, size)};
         const ArmCommand command = step(control, wam, q, draw(random, 7, 3.0), wrench);
         const JointVector motors = control.compute_motor_torque(command.torque_Nm);
         REQUIRE(find_most(wam, motors) <= 1.0 + 1e-12);
@@ -82,7 +83,8 @@ TEST_CASE(
             const Place place(wam, q);
             const JointVector given =
                 compute_weight_torque(wam, place.posture) +
-                command.wrench_share * place.posture.jacobian_B.transpose() * stack(wrench);
+                command.wrench_share * to_joints(to_eigen(place.posture.jacobian_B).transpose() *
+                                                 to_eigen(stack(wrench)));
             REQUIRE(find_most(wam, control.compute_motor_torque(given)) == Approx(1.0));
         }
     }
@@ -93,8 +95,7 @@ TEST_CASE("arm control: a share is the room over what is asked, whichever way") 
     const ArmModel model = make_pendulum(1.0, 0.5);  // one motor, 1 Nm
     const ArmControl control(model, {JointVector::Zero(1), 0.0});
     const auto share = [&](double given, double more) {
-        return control.compute_share(JointVector::Constant(1, given),
-                                     JointVector::Constant(1, more));
+        return control.compute_share(make_joints({given}), make_joints({more}));
     };
     CHECK(share(0.0, 0.5) == 1.0);
     CHECK(share(0.0, 2.0) == 0.5);
@@ -116,10 +117,11 @@ TEST_CASE("arm control: bringing the elbow home does not accelerate the handle")
         const ArmCommand command = step(control, wam, q, v, {});
         REQUIRE(command.posture_share == 1.0);
         const JointVector posture = command.torque_Nm - compute_weight_torque(wam, place.posture);
-        const Eigen::VectorXd accelerated = Eigen::MatrixXd(place.inertia()).llt().solve(posture);
-        const Eigen::VectorXd wanted = -9.0 * (q - make_wam_home()) - 6.0 * v;
-        const Vector6 felt = place.posture.jacobian_B * accelerated;
-        const Vector6 unheld = place.posture.jacobian_B * wanted;
+        const JointVector accelerated =
+            to_joints(to_eigen(place.inertia()).llt().solve(to_eigen(posture)));
+        const JointVector wanted = -9.0 * (q - make_wam_home()) - 6.0 * v;
+        const Vector6 felt = compute_motion_B(place.posture, accelerated);
+        const Vector6 unheld = compute_motion_B(place.posture, wanted);
         // The inverse is damped by a millionth of what a kilogram would need.
         REQUIRE(felt.norm() < 1e-4 * unheld.norm());
         REQUIRE(accelerated.norm() > 1e-3 * wanted.norm());
@@ -132,8 +134,8 @@ TEST_CASE("arm control: singular postures are like any other to it") {
     const JointVector straight = JointVector::Zero(7);
     ArmPosture posture;
     compute_posture(wam, straight, posture);
-    REQUIRE(Eigen::FullPivLU<Eigen::MatrixXd>(posture.jacobian_B).rank() < 6);
-    const ArmCommand command = step(control, wam, straight, JointVector::Ones(7),
+    REQUIRE(Eigen::FullPivLU<Eigen::MatrixXd>(to_eigen(posture.jacobian_B)).rank() < 6);
+    const ArmCommand command = step(control, wam, straight, make_joints({1, 1, 1, 1, 1, 1, 1}),
                                     {Vector3(3.0, 3.0, 3.0), Vector3::Zero()});
     CHECK(command.torque_Nm.allFinite());
     CHECK(find_most(wam, control.compute_motor_torque(command.torque_Nm)) <= 1.0 + 1e-12);

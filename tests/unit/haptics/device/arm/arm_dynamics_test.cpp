@@ -3,6 +3,7 @@
 #include "haptics/math/rotation.h"
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
 #include "tests/unit/haptics/device/arm/articulated_body.h"
+#include "tests/unit/haptics/device/arm/dense_joints.h"
 
 #include <catch2/catch.hpp>
 
@@ -49,21 +50,19 @@ double compute_energy_by_differences(const ArmModel& model, const JointVector& q
         (2.0 * kDt_s);
     energy_J += 0.5 * kHeld.mass_kg * held_linear.squaredNorm() +
                 0.5 * kHeld.inertia_kg_m2 * held_omega.squaredNorm();
-    return energy_J + 0.5 * handle.dot(compute_rotor_inertia(model) * handle);
+    return energy_J + 0.5 * handle.dot(multiply(compute_rotor_inertia(model), handle));
 }
 
 }  // namespace
 
 TEST_CASE("arm dynamics: a pendulum has the inertia and the weight of the textbook") {
     const ArmModel model = make_pendulum(2.0, 0.5);
-    JointVector q(1);
-    q << 0.3;
+    const JointVector q = make_joints({0.3});
     const Place place(model, q);
     CHECK(place.inertia()(0, 0) == Approx(2.0 * 0.25));
     CHECK(compute_weight_torque(model, place.posture)(0) ==
           Approx(2.0 * kGravity * 0.5 * std::sin(0.3)));
-    JointVector v(1);
-    v << 3.0;
+    const JointVector v = make_joints({3.0});
     CHECK(compute_motion_torque(place.posture, place.bodies, v)(0) == Approx(0.0).margin(1e-14));
     // What is held has no weight, but mass.
     const Place held(model, q, {1.0, 0.01});
@@ -78,10 +77,8 @@ TEST_CASE("arm dynamics: two links have the centrifugal torque of the textbook")
     model.links[1].a_m = 0.3;
     model.links[1].mass_kg = 0.7;
     model.transmission = JointMatrix::Identity(2, 2);
-    JointVector q(2);
-    q << 0.2, 0.9;
-    JointVector v(2);
-    v << 1.3, -0.4;
+    const JointVector q = make_joints({0.2, 0.9});
+    const JointVector v = make_joints({1.3, -0.4});
     const Place place(model, q);
     const double h = 0.7 * 0.5 * 0.3 * std::sin(0.9);
     const JointVector c = compute_motion_torque(place.posture, place.bodies, v);
@@ -104,15 +101,15 @@ TEST_CASE("arm dynamics: recursive Newton-Euler, composite bodies and articulate
         const JointVector torque =
             compute_inverse_dynamics(place.posture, place.bodies, place.rotors, v, a) + weight;
         const double size = torque.norm();
-        const JointVector composite =
-            place.inertia() * a + compute_motion_torque(place.posture, place.bodies, v) + weight;
+        const JointVector composite = multiply(place.inertia(), a) +
+                                      compute_motion_torque(place.posture, place.bodies, v) +
+                                      weight;
         REQUIRE((composite - torque).norm() < 1e-12 * size);
         const JointVector again = run_articulated_body(wam, q, v, torque);
         REQUIRE((again - a).norm() < 1e-10 * (a.norm() + size));
-        const JointVector solved =
-            Eigen::MatrixXd(place.inertia())
-                .llt()
-                .solve(torque - compute_motion_torque(place.posture, place.bodies, v) - weight);
+        const JointVector left =
+            torque - compute_motion_torque(place.posture, place.bodies, v) - weight;
+        const JointVector solved = to_joints(to_eigen(place.inertia()).llt().solve(to_eigen(left)));
         REQUIRE((solved - again).norm() < 1e-10 * (a.norm() + size));
     }
 }
@@ -125,12 +122,12 @@ TEST_CASE(
         const JointVector q = draw(random, 7, 3.0);
         const JointVector v = draw(random, 7, 2.0);
         const Place place(wam, q, kHeld);
-        const Eigen::MatrixXd inertia = place.inertia();
+        const Eigen::MatrixXd inertia = to_eigen(place.inertia());
         REQUIRE((inertia - inertia.transpose()).norm() == 0.0);
         REQUIRE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inertia).eigenvalues().minCoeff() >
                 1e-4);
         // Differences of postures lose half the digits.
-        REQUIRE(0.5 * v.dot(inertia * v) ==
+        REQUIRE(0.5 * v.dot(multiply(place.inertia(), v)) ==
                 Approx(compute_energy_by_differences(wam, q, v)).epsilon(1e-7));
     }
 }
@@ -148,15 +145,15 @@ TEST_CASE("arm dynamics: the Coriolis torque has Christoffel's symbols of the in
             on(i) += kStep_rad;
             JointVector back = q;
             back(i) -= kStep_rad;
-            slope[static_cast<std::size_t>(i)] =
-                (Place(wam, on, kHeld).inertia() - Place(wam, back, kHeld).inertia()) /
-                (2.0 * kStep_rad);
+            slope[static_cast<std::size_t>(i)] = (to_eigen(Place(wam, on, kHeld).inertia()) -
+                                                  to_eigen(Place(wam, back, kHeld).inertia())) /
+                                                 (2.0 * kStep_rad);
         }
-        Eigen::VectorXd expected = Eigen::VectorXd::Zero(7);
+        JointVector expected(7);
         for (int i = 0; i < 7; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            expected += v(i) * (slope[at] * v);
-            expected(i) -= 0.5 * v.dot(slope[at] * v);
+            const JointVector changed = to_joints(slope[static_cast<std::size_t>(i)] * to_eigen(v));
+            expected += v(i) * changed;
+            expected(i) -= 0.5 * v.dot(changed);
         }
         const Place place(wam, q, kHeld);
         REQUIRE((compute_motion_torque(place.posture, place.bodies, v) - expected).norm() <

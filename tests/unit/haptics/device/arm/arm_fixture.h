@@ -5,6 +5,8 @@
 #include "haptics/device/arm/arm_motion.h"
 #include "haptics/device/arm/barrett_wam.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <random>
 
 namespace fulcrum::arm_test {
@@ -38,6 +40,12 @@ inline ArmModel make_free_wam() {
     return wam;
 }
 
+inline JointVector make_joints(std::initializer_list<double> values) {
+    JointVector joints(static_cast<Index>(values.size()));
+    std::ranges::copy(values, &joints.coeffRef(0));
+    return joints;
+}
+
 inline JointVector draw(std::mt19937& random, int n, double most) {
     std::uniform_real_distribution<double> any(-most, most);
     JointVector drawn(n);
@@ -45,6 +53,9 @@ inline JointVector draw(std::mt19937& random, int n, double most) {
         drawn(i) = any(random);
     }
     return drawn;
+}
+inline Vector3 draw_vector(std::mt19937& random, double most) {
+    return Vector3(draw(random, 3, most).data());
 }
 
 /// Everything that dynamics need at a posture.

@@ -56,7 +56,7 @@ TEST_CASE("arm model: what is no arm is refused, and said in a sentence") {
           std::string::npos);
     CHECK(complain([](ArmModel& m) { m.transmission(0, 0) = 0.0; }).find("transmission") !=
           std::string::npos);
-    CHECK(complain([](ArmModel& m) { m.transmission.resize(2, 2); }).find("transmission") !=
+    CHECK(complain([](ArmModel& m) { m.transmission = JointMatrix(2, 2); }).find("transmission") !=
           std::string::npos);
     CHECK(complain([](ArmModel& m) { m.handle.orientation.coeffs().setZero(); }).find("handle") !=
           std::string::npos);
@@ -74,8 +74,10 @@ TEST_CASE("arm model: a rotor counts with the square of its ratio, and two on a 
     model.n = 2;
     model.motors[0].rotor_inertia_kg_m2 = 0.001;
     model.motors[1].rotor_inertia_kg_m2 = 0.002;
-    model.transmission.resize(2, 2);
-    model.transmission << 10.0, -5.0, 10.0, 5.0;
+    model.transmission = JointMatrix(2, 2);
+    model.transmission(0, 0) = model.transmission(1, 0) = 10.0;
+    model.transmission(0, 1) = -5.0;
+    model.transmission(1, 1) = 5.0;
     const JointMatrix inertia = compute_rotor_inertia(model);
     CHECK(inertia(0, 0) == Approx(0.3));
     CHECK(inertia(1, 1) == Approx(0.075));

@@ -40,7 +40,7 @@ ArmModel make_wheel(double dry_Nm, double damping) {
 }
 
 JointVector one(double value) {
-    return JointVector::Constant(1, value);
+    return make_joints({value});
 }
 
 }  // namespace
@@ -103,8 +103,7 @@ TEST_CASE("arm motion: a spring hand moves a wheel as a damped oscillator in clo
 
 TEST_CASE("arm motion: the WAM's error falls with the square of the step") {
     const ArmModel wam = make_free_wam();
-    JointVector start(7);
-    start << 0.3, 0.9, -0.4, 1.2, 0.5, -0.6, 0.8;
+    const JointVector start = make_joints({0.3, 0.9, -0.4, 1.2, 0.5, -0.6, 0.8});
     const auto swing = [&](double dt_s) {
         ArmMotion motion(wam);
         motion.hold(HandGrip{});
@@ -132,8 +131,7 @@ TEST_CASE("arm motion: without friction the WAM keeps its energy for ten seconds
     }
     ArmMotion motion(wam);
     motion.hold(kNoGrip);
-    JointVector start(7);
-    start << 0.0, 1.0, 0.3, 0.8, -0.5, 0.6, 0.0;
+    const JointVector start = make_joints({0.0, 1.0, 0.3, 0.8, -0.5, 0.6, 0.0});
     ArmState state = at_rest(start);
     const double before_J = motion.compute_energy_J(state);
     double worst_J = 0.0;
@@ -175,7 +173,7 @@ TEST_CASE("arm motion: what a held arm loses is what friction and the hand's dam
         const JointVector mean = 0.5 * (last.speed_rad_per_s + state.speed_rad_per_s);
         ArmPosture posture;
         compute_posture(wam, 0.5 * (last.angle_rad + state.angle_rad), posture);
-        const Vector6 hand = posture.jacobian_B * mean;
+        const Vector6 hand = compute_motion_B(posture, mean);
         double power_W = grip.push.damping_Ns_per_m * hand.head<3>().squaredNorm() +
                          grip.turn_damping_Nms_per_rad * hand.tail<3>().squaredNorm();
         for (int i = 0; i < 7; ++i) {

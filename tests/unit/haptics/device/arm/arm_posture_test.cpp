@@ -16,8 +16,7 @@ TEST_CASE("arm posture: two links in a plane are where sines and cosines put the
     model.links[1] = model.links[0];
     model.links[1].a_m = 0.3;
     model.transmission = JointMatrix::Identity(2, 2);
-    JointVector q(2);
-    q << 0.4, -1.1;
+    const JointVector q = make_joints({0.4, -1.1});
     ArmPosture posture;
     compute_posture(model, q, posture);
     const Vector3 expected(0.5 * std::cos(0.4) + 0.3 * std::cos(-0.7),

@@ -1,11 +1,11 @@
 #include "haptics/device/arm/arm_reach.h"
 
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
+#include "tests/unit/haptics/device/arm/dense_joints.h"
 
 #include <catch2/catch.hpp>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <limits>
 #include <string>
 
@@ -71,7 +71,7 @@ TEST_CASE("arm reach: no way of moving the handle at home loses less than the da
     std::mt19937 random(51);
     for (int k = 0; k < 2000; ++k) {
         const JointVector v = draw(random, 7, 1.0);
-        const double speed = (home.posture.jacobian_B.topRows<3>() * v).norm();
+        const double speed = compute_motion_B(home.posture, v).head<3>().norm();
         double power_W = 0.0;
         for (int i = 0; i < 7; ++i) {
             power_W += wam.links[static_cast<std::size_t>(i)].damping_Nms_per_rad * v(i) * v(i);
@@ -90,9 +90,10 @@ TEST_CASE("arm reach: the felt mass is the mean answer to a force") {
     double mobility = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         const Vector3 force = Vector3::Unit(axis);
-        const Eigen::VectorXd torque = home.posture.jacobian_B.topRows<3>().transpose() * force;
-        const Eigen::VectorXd a = Eigen::MatrixXd(home.inertia()).llt().solve(torque);
-        mobility += (home.posture.jacobian_B.topRows<3>() * a).dot(force) / 3.0;
+        const Eigen::MatrixXd rows = to_eigen(home.posture.jacobian_B).topRows<3>();
+        const Eigen::VectorXd torque = rows.transpose() * to_eigen(force);
+        const Eigen::VectorXd a = to_eigen(home.inertia()).llt().solve(torque);
+        mobility += (rows * a).dot(to_eigen(force)) / 3.0;
     }
     CHECK(reach->mass_kg == Approx(1.0 / mobility));
 }

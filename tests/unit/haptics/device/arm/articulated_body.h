@@ -9,8 +9,8 @@
 
 namespace fulcrum::arm_test {
 
-using Spatial6 = Eigen::Matrix<double, 6, 1>;
-using Spatial66 = Eigen::Matrix<double, 6, 6>;
+using Spatial6 = Vector6;
+using Spatial66 = Matrix6;
 
 // Motion coordinates in frame A to those in frame B, which is turned by `turn_AB` and lies at `place_A`.
 inline Spatial66 make_transform(const Matrix3& turn_AB, const Vector3& place_A) {
@@ -40,8 +40,9 @@ inline JointVector run_articulated_body(const ArmModel& model, const JointVector
     for (int k = 0; k < n; ++k) {
         const auto i = static_cast<std::size_t>(k);
         const ArmLink& link = model.links[i];
-        const Matrix3 about_z(Eigen::AngleAxisd(q(k) + link.theta_rad, Vector3::UnitZ()));
-        const Matrix3 about_x(Eigen::AngleAxisd(link.alpha_rad, Vector3::UnitX()));
+        const Matrix3 about_z =
+            AngleAxis(q(k) + link.theta_rad, Vector3::UnitZ()).toRotationMatrix();
+        const Matrix3 about_x = AngleAxis(link.alpha_rad, Vector3::UnitX()).toRotationMatrix();
         const Vector3 place = about_z * Vector3(link.a_m, 0.0, 0.0) + Vector3(0.0, 0.0, link.d_m);
         x[i] = make_transform(about_z * about_x, place);
         Spatial6 axis = Spatial6::Zero();

@@ -1,10 +1,11 @@
 #include "haptics/device/arm/barrett_wam.h"
 
+#include "haptics/math/dense.h"
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
+#include "tests/unit/haptics/device/arm/dense_joints.h"
 
 #include <catch2/catch.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ TEST_CASE(
     ArmPosture posture;
     compute_posture(wam, q, posture);
     CHECK(posture.handle_B.position.x() == Approx(0.9909 * std::sin(0.5)));
-    q << 0.0, 0.0, 0.0, 1.5707963267948966, 0.0, 0.0, 0.0;
+    q = make_joints({0.0, 0.0, 0.0, 1.5707963267948966, 0.0, 0.0, 0.0});
     compute_posture(wam, q, posture);
     CHECK(posture.handle_B.position.x() == Approx(0.045 + 0.4409));
     CHECK(posture.handle_B.position.z() == Approx(0.55 + 0.045));
@@ -40,8 +41,7 @@ TEST_CASE("Barrett WAM: all of its links are bodies that can be") {
     double mass_kg = 0.0;
     for (const ArmLink& link : wam.links) {
         mass_kg += link.mass_kg;
-        const Vector3 principal =
-            Eigen::SelfAdjointEigenSolver<Matrix3>(link.inertia_kg_m2).eigenvalues();
+        const Vector3 principal = compute_symmetric_axes(link.inertia_kg_m2).values;
         // No body's largest moment is above the sum of the others.
         CHECK(principal.x() > 0.0);
         CHECK(principal.z() < principal.x() + principal.y());
@@ -61,7 +61,7 @@ TEST_CASE("Barrett WAM: rotors at the joints are those that the maker gives") {
 
 TEST_CASE("Barrett WAM: the motors carry it in every posture") {
     const ArmModel wam = make_barrett_wam();
-    const Eigen::MatrixXd motor_per_joint = Eigen::MatrixXd(wam.transmission).transpose().inverse();
+    const Eigen::MatrixXd motor_per_joint = to_eigen(wam.transmission).transpose().inverse();
     std::mt19937 random(21);
     std::uniform_real_distribution<double> any(0.0, 1.0);
     for (int k = 0; k < 2000; ++k) {
@@ -71,7 +71,7 @@ TEST_CASE("Barrett WAM: the motors carry it in every posture") {
             q(i) = link.low_rad + any(random) * (link.high_rad - link.low_rad);
         }
         const Eigen::VectorXd torque =
-            motor_per_joint * compute_weight_torque(wam, Place(wam, q).posture);
+            motor_per_joint * to_eigen(compute_weight_torque(wam, Place(wam, q).posture));
         for (int i = 0; i < 7; ++i) {
             REQUIRE(std::abs(torque(i)) <
                     0.6 * wam.motors[static_cast<std::size_t>(i)].max_torque_Nm);

@@ -1,6 +1,7 @@
 #include "haptics/device/arm/stick_slip.h"
 
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
+#include "tests/unit/haptics/device/arm/dense_joints.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,11 +14,12 @@ namespace {
 
 StickSlipProblem make_one(double push, double dry, double low, double high) {
     StickSlipProblem problem;
-    problem.inertia = JointMatrix::Constant(1, 1, 2.0);
-    problem.push = JointVector::Constant(1, push);
-    problem.dry = JointVector::Constant(1, dry);
-    problem.low = JointVector::Constant(1, low);
-    problem.high = JointVector::Constant(1, high);
+    problem.inertia = JointMatrix(1, 1);
+    problem.inertia(0, 0) = 2.0;
+    problem.push = make_joints({push});
+    problem.dry = make_joints({dry});
+    problem.low = make_joints({low});
+    problem.high = make_joints({high});
     return problem;
 }
 
@@ -30,24 +32,26 @@ double solve_one(const StickSlipProblem& problem) {
 
 // The function that is minimised.
 double evaluate(const StickSlipProblem& problem, const JointVector& w) {
-    return 0.5 * w.dot(problem.inertia * w) - problem.push.dot(w) +
-           problem.dry.dot(JointVector(w.cwiseAbs()));
+    return 0.5 * w.dot(multiply(problem.inertia, w)) - problem.push.dot(w) +
+           problem.dry.dot(w.cwiseAbs());
 }
 
 StickSlipProblem draw_problem(std::mt19937& random, double spread) {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     StickSlipProblem problem;
     // Rows from a thin matrix: coupled as strongly as `spread` is small.
-    JointMatrix mixing(7, 7);
+    Eigen::MatrixXd mixing(7, 7);
     for (int i = 0; i < 7; ++i) {
-        mixing.col(i) = draw(random, 7, 1.0);
+        mixing.col(i) = to_eigen(draw(random, 7, 1.0));
     }
-    problem.inertia = mixing * mixing.transpose() + spread * JointMatrix::Identity(7, 7);
+    problem.inertia =
+        to_joint_matrix(mixing * mixing.transpose() + spread * Eigen::MatrixXd::Identity(7, 7));
     problem.push = draw(random, 7, 3.0);
-    problem.dry = draw(random, 7, 1.0).cwiseMax(0.0);
-    problem.low = -draw(random, 7, 1.0).cwiseAbs();
+    problem.dry = draw(random, 7, 1.0);
+    problem.low = -1.0 * draw(random, 7, 1.0).cwiseAbs();
     problem.high = draw(random, 7, 1.0).cwiseAbs();
     for (int i = 0; i < 7; ++i) {
+        problem.dry(i) = std::max(problem.dry(i), 0.0);
         // Many joints stand at a stop, some have none near.
         problem.low(i) = unit(random) < 0.2 ? 0.0 : problem.low(i);
         problem.high(i) = unit(random) < 0.2 ? 0.0 : problem.high(i);
@@ -81,13 +85,17 @@ TEST_CASE("stick-slip: the optimum is found from any sets, and nothing near it i
         }
         JointVector w;
         solve_stick_slip(problem, holds, w);
-        REQUIRE((w.array() >= problem.low.array()).all());
-        REQUIRE((w.array() <= problem.high.array()).all());
+        for (int i = 0; i < 7; ++i) {
+            REQUIRE(w(i) >= problem.low(i));
+            REQUIRE(w(i) <= problem.high(i));
+        }
         REQUIRE(compute_stick_slip_residual(problem, w) < 1e-10);
         const double least = evaluate(problem, w);
         for (int trial = 0; trial < 20; ++trial) {
-            const JointVector other =
-                (w + draw(random, 7, 0.1)).cwiseMax(problem.low).cwiseMin(problem.high);
+            JointVector other = w + draw(random, 7, 0.1);
+            for (int i = 0; i < 7; ++i) {
+                other(i) = std::clamp(other(i), problem.low(i), problem.high(i));
+            }
             REQUIRE(evaluate(problem, other) >= least - 1e-12);
         }
     }

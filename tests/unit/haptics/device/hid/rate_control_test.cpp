@@ -51,7 +51,7 @@ TEST_CASE("rate control: a turn about an axis is its rate times time, and stays 
     for (int k = 0; k < 1000; ++k) {
         control.step(turned({0.0, 0.0, 1.0}), Vector3::Zero(), kDt_s);
     }
-    const Eigen::AngleAxisd turn(Eigen::Quaterniond(control.pose_D().orientation));
+    const AngleAxis turn(Quaternion(control.pose_D().orientation));
     CHECK(turn.angle() == Approx(settings.max_turn_rad_per_s).epsilon(1e-9));
     CHECK(turn.axis().z() == Approx(1.0));
     CHECK(control.pose_D().orientation.norm() == Approx(1.0).epsilon(1e-14));

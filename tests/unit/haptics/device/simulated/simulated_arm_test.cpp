@@ -202,7 +202,7 @@ TEST_CASE("simulated arm: the encoder shows the nearest whole step of where the 
         bench.run(1);
         const Vector3 shown_D = bench.reading.pose_D.position;
         const Vector3 steps = shown_D / 5.5e-5;
-        REQUIRE((steps - Vector3(steps.array().round())).norm() < 1e-9);
+        REQUIRE((steps - Vector3(steps.cwiseRound())).norm() < 1e-9);
         REQUIRE((shown_D - bench.arm.position_D()).cwiseAbs().maxCoeff() <= 2.75e-5 + kRounding);
     }
     CHECK(bench.arm.traits().position_resolution_m == 5.5e-5);

@@ -108,7 +108,7 @@ TEST_CASE("simulated hand: an encoder shows whole steps only") {
     double now_s = 0.0;
     for (int k = 0; k < 500; ++k) {
         const Vector3 steps = read_on(hand, now_s, 1).pose_D.position / 0.001;
-        REQUIRE((steps - Vector3(steps.array().round())).norm() < kRounding);
+        REQUIRE((steps - Vector3(steps.cwiseRound())).norm() < kRounding);
     }
     CHECK(hand.traits().position_resolution_m == 0.001);
 }

@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <Eigen/Core>
 #include <cmath>
 
 using namespace fulcrum::runtime;
@@ -53,7 +52,7 @@ TEST_CASE("simplify: a ball stays a closed ball with fewer triangles") {
     CHECK(after.uvs.size() * 3 == after.positions.size() * 2);
     for (std::size_t i = 0; i + 2 < after.positions.size(); i += 3) {
         // Corners are chosen, not invented.
-        CHECK(Eigen::Vector3f(after.positions.data() + i).norm() == Approx(kRadius_m));
+        CHECK(fulcrum::Vector3f(after.positions.data() + i).norm() == Approx(kRadius_m));
     }
     for (const std::uint32_t index : after.indices) {
         CHECK(index < after.positions.size() / 3);

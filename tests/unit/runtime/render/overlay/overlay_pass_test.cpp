@@ -11,29 +11,29 @@ TEST_CASE("picture: every panel changes its own place") {
     if (!studio) {
         return;
     }
-    const View plain = nothing();
+    const runtime::View plain = nothing();
     const Image before = studio->draw(plain);
-    const auto check = [&](const View& view, const Box& box) {
+    const auto check = [&](const runtime::View& view, const Box& box) {
         const Image after = studio->draw(view);
         const int inside = changed(before, after, box);
         CHECK(inside > static_cast<int>(0.5F * box.width * box.height));
         // Beyond its shadow nothing else changes.
         CHECK(changed(before, after) <= changed(before, after, box.grown(20.0F)));
     };
-    View caption = plain;
+    runtime::View caption = plain;
     caption.caption = "Catch the fruit.";
     check(caption, panels_of(caption).caption.box);
-    View feedback = plain;
+    runtime::View feedback = plain;
     feedback.feedback = "A melon is *the heaviest*.";
     check(feedback, panels_of(feedback).feedback.box);
-    View input = plain;
+    runtime::View input = plain;
     input.input_visible = true;
     check(input, panels_of(input).input.box);
-    View level = plain;
+    runtime::View level = plain;
     level.level = 2;
     level.level_title = "Three fruits";
     check(level, panels_of(level).level.box);
-    View stars = plain;
+    runtime::View stars = plain;
     stars.stars = 2;
     check(stars, panels_of(stars).stars.box);
 }
@@ -43,7 +43,7 @@ TEST_CASE("picture: a banner lies over a scene that is still seen") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("red", {0.0, 0.3, 0.0})};
     const Image before = studio->draw(view);
     view.banner = "lesson.lua:3: something is wrong.";
@@ -60,11 +60,11 @@ TEST_CASE("picture: score, stars and typed words are told apart") {
     if (!studio || !has_words()) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.input_visible = true;
     view.stars = 1;
     const Image before = studio->draw(view);
-    View other = view;
+    runtime::View other = view;
     other.score = 8;
     CHECK(changed(before, studio->draw(other)) > 20);
     other = view;
@@ -80,7 +80,7 @@ TEST_CASE("picture: emphasis changes words, and words are dark on light") {
     if (!studio || !has_words()) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.feedback = "the heaviest";
     const Image plain = studio->draw(view);
     const Box box = panels_of(view).feedback.box;
@@ -98,7 +98,7 @@ TEST_CASE("picture: the menu shows cards instead of the scene, and which one is 
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("red", {0.0, 0.4, 0.0})};
     view.menu = {{"One", "A1", "red"}, {"Two", "A2", "green"}, {"Three", "B1", "nobody"}};
     const Image first = studio->draw(view);

@@ -28,10 +28,10 @@ ViewTorque make_torque() {
 TEST_CASE("arrow: a lever arm reaches from the axis to where the force acts") {
     const auto arm = arm_for(make_torque(), make_camera());
     REQUIRE(arm);
-    const Eigen::Vector4f from = arm->world_from_model * Eigen::Vector4f(0, 0, 0, 1);
-    const Eigen::Vector4f to = arm->world_from_model * Eigen::Vector4f(0, 1, 0, 1);
-    CHECK((from.head<3>() - Eigen::Vector3f(0.1F, 0, 0)).norm() < 1e-5F);
-    CHECK((to.head<3>() - Eigen::Vector3f(0.5F, 0, 0)).norm() < 1e-5F);
+    const Vector4f from = arm->world_from_model * Vector4f(0, 0, 0, 1);
+    const Vector4f to = arm->world_from_model * Vector4f(0, 1, 0, 1);
+    CHECK((from.head<3>() - Vector3f(0.1F, 0, 0)).norm() < 1e-5F);
+    CHECK((to.head<3>() - Vector3f(0.5F, 0, 0)).norm() < 1e-5F);
 }
 
 TEST_CASE("arrow: a push on the axis itself has no arm, nor what is no number") {

@@ -15,8 +15,8 @@ namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 
-Eigen::Vector3f moved(const Placement& placement, const Eigen::Vector3f& point) {
-    return (placement.world_from_model * point.homogeneous()).head<3>();
+Vector3f moved(const Placement& placement, const Vector3f& point) {
+    return (placement.world_from_model * (Vector4f() << point, 1.0F).finished()).head<3>();
 }
 
 ViewForce force(const Vector3& newtons) {
@@ -28,15 +28,14 @@ ViewForce force(const Vector3& newtons) {
 TEST_CASE("placement: scales in the model, then turns, then moves") {
     Pose pose;
     pose.position = Vector3(1.0, 2.0, 3.0);
-    pose.orientation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitZ()));
+    pose.orientation = Quaternion(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitZ()));
     const auto placement = place(pose, Vector3(2.0, 1.0, 1.0));
     REQUIRE(placement);
-    CHECK(moved(*placement, {1, 0, 0}).isApprox(Eigen::Vector3f(1, 4, 3), 1e-6F));
-    CHECK(moved(*placement, {0, 1, 0}).isApprox(Eigen::Vector3f(0, 2, 3), 1e-6F));
+    CHECK(moved(*placement, {1, 0, 0}).isApprox(Vector3f(1, 4, 3), 1e-6F));
+    CHECK(moved(*placement, {0, 1, 0}).isApprox(Vector3f(0, 2, 3), 1e-6F));
     // Normals stay at right angles to the surface: on a plane x + y = const stretched along x.
-    const Eigen::Vector3f along =
-        moved(*placement, {1, -1, 0}) - moved(*placement, Eigen::Vector3f::Zero());
-    const Eigen::Vector3f normal = placement->normal_from_model * Eigen::Vector3f(1, 1, 0);
+    const Vector3f along = moved(*placement, {1, -1, 0}) - moved(*placement, Vector3f::Zero());
+    const Vector3f normal = placement->normal_from_model * Vector3f(1, 1, 0);
     CHECK(along.dot(normal) == Approx(0.0F).margin(1e-6));
     CHECK_FALSE(placement->mirrored);
     CHECK(place(pose, Vector3(-1.0, 1.0, 1.0))->mirrored);
@@ -64,7 +63,7 @@ TEST_CASE("placement: a quaternion that is not quite of unit length still only t
     pose.orientation.coeffs() *= 1.7;
     const auto placement = place(pose, Vector3::Ones());
     REQUIRE(placement);
-    CHECK(placement->world_from_model.isApprox(Eigen::Matrix4f::Identity(), 1e-6F));
+    CHECK(placement->world_from_model.isApprox(Matrix4f::Identity(), 1e-6F));
 }
 
 TEST_CASE("placement: bounds of a box") {
@@ -116,8 +115,7 @@ TEST_CASE("light: what stands on the floor before the camera is inside its map")
     const Light light = light_for(camera, 0.0, 1024);
     for (const auto& [x, y, z] :
          {std::array{0.0F, 0.0F, 0.0F}, {0.8F, 0.0F, 0.8F}, {-0.5F, 1.2F, 0.3F}}) {
-        const Eigen::Vector3f place =
-            (light.shadow_from_world * Eigen::Vector4f(x, y, z, 1.0F)).head<3>();
+        const Vector3f place = (light.shadow_from_world * Vector4f(x, y, z, 1.0F)).head<3>();
         for (int axis = 0; axis < 3; ++axis) {
             CHECK(place[axis] > 0.0F);
             CHECK(place[axis] < 1.0F);
@@ -125,7 +123,7 @@ TEST_CASE("light: what stands on the floor before the camera is inside its map")
     }
     // Higher is nearer to the lamp.
     const auto depth = [&](float y) {
-        return (light.shadow_from_world * Eigen::Vector4f(0.0F, y, 0.0F, 1.0F)).z();
+        return (light.shadow_from_world * Vector4f(0.0F, y, 0.0F, 1.0F)).z();
     };
     CHECK(depth(0.5F) < depth(0.0F));
     CHECK(light_for(camera, kNan, 1024).clip_from_world.allFinite());

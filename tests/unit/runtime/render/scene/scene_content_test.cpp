@@ -25,7 +25,7 @@ const gl::Mesh& box() {
     return mesh;
 }
 
-SceneContent read(const View& view) {
+SceneContent read(const runtime::View& view) {
     const Camera camera(view.camera, 1280, 720);
     return content_of(view, camera, [](const std::string&) -> const gl::Mesh& { return box(); });
 }
@@ -36,8 +36,8 @@ ViewBody body_at(double x, double y, double z) {
     return body;
 }
 
-View without_tool() {
-    View view;
+runtime::View without_tool() {
+    runtime::View view;
     view.tool_visible = false;
     return view;
 }
@@ -45,7 +45,7 @@ View without_tool() {
 }  // namespace
 
 TEST_CASE("content: a body that cannot be drawn is left out, the others stay") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     view.bodies = {body_at(0.0, 0.5, 0.0), body_at(kNan, 0.5, 0.0), body_at(0.2, 0.5, 0.0)};
     view.bodies[2].highlight = kNan;
     view.bodies[1].label = "lost";
@@ -57,7 +57,7 @@ TEST_CASE("content: a body that cannot be drawn is left out, the others stay") {
 }
 
 TEST_CASE("content: the mark lies straight below, with the height above the floor") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     view.ground_height_m = 0.2;
     view.bodies = {body_at(0.3, 0.8, -0.1)};
     const SceneContent content = read(view);
@@ -72,7 +72,7 @@ TEST_CASE("content: the mark lies straight below, with the height above the floo
 
 TEST_CASE("content: what is wide beside the picture has no mark: a ring says where a thing lands") {
     for (const double size : {0.9, 1.1, 2.0}) {
-        View view = without_tool();
+        runtime::View view = without_tool();
         view.bodies = {body_at(0.0, 0.5, 0.0)};
         const double half_m = read(view).marks.at(0).radius_m;
         const double distance_m = compute_length(Vector3(view.camera.eye_W - view.camera.target_W));
@@ -82,7 +82,7 @@ TEST_CASE("content: what is wide beside the picture has no mark: a ring says whe
 }
 
 TEST_CASE("content: the hand has a mark of its own kind") {
-    View view;
+    runtime::View view;
     view.tool = body_at(0.0, 0.6, 0.0);
     const SceneContent content = read(view);
     REQUIRE(content.marks.size() == 1);
@@ -91,7 +91,7 @@ TEST_CASE("content: the hand has a mark of its own kind") {
 }
 
 TEST_CASE("content: what lies in the hand has no mark of its own, what falls towards it has") {
-    View view;
+    runtime::View view;
     view.tool = body_at(0.0, 0.3, 0.0);
     const auto marks_with = [&](double x, double y) {
         view.bodies = {body_at(x, y, 0.0)};
@@ -108,7 +108,7 @@ TEST_CASE("content: what lies in the hand has no mark of its own, what falls tow
 }
 
 TEST_CASE("content: far things have no mark, and how deep one is sunk is known") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     view.ground_height_m = 0.5;
     view.bodies = {body_at(0.0, 0.58, 0.0), body_at(0.0, 0.58, -30.0), body_at(0.0, 0.7, 0.0)};
     const SceneContent content = read(view);
@@ -120,7 +120,7 @@ TEST_CASE("content: far things have no mark, and how deep one is sunk is known")
 }
 
 TEST_CASE("content: the ghost appears as the arm leaves the tool") {
-    View view;
+    runtime::View view;
     view.tool = body_at(0.0, 0.4, 0.0);
     CHECK_FALSE(read(view).ghost);
     view.ghost_visible = true;
@@ -140,7 +140,7 @@ TEST_CASE("content: the ghost appears as the arm leaves the tool") {
 }
 
 TEST_CASE("content: each hand is there with its mark, its number and its own ghost") {
-    View view;
+    runtime::View view;
     view.tool = body_at(0.0, 0.4, 0.0);
     const std::size_t n_items = read(view).items.size();
     const std::size_t n_marks = read(view).marks.size();
@@ -165,7 +165,7 @@ TEST_CASE("content: each hand is there with its mark, its number and its own gho
 }
 
 TEST_CASE("content: labels stand where their things are seen") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     view.bodies = {body_at(0.2, 0.5, 0.0)};
     view.bodies[0].label = "apple";
     view.force = {true, Vector3(0.0, 0.4, 0.0), Vector3(0.0, -3.0, 0.0), "3 N"};
@@ -185,7 +185,7 @@ TEST_CASE("content: labels stand where their things are seen") {
 }
 
 TEST_CASE("content: detail falls with distance, far things have no part in shadows") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     view.bodies = {body_at(0.0, 0.4, 0.9), body_at(0.0, 0.4, 0.0), body_at(0.0, 0.4, -6.0)};
     const SceneContent content = read(view);
     REQUIRE(content.items.size() == 3);
@@ -196,13 +196,13 @@ TEST_CASE("content: detail falls with distance, far things have no part in shado
 }
 
 TEST_CASE("content: a crowd is cut off at the limit") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     view.bodies.assign(kMostBodies + 10, body_at(0.0, 0.4, 0.0));
     CHECK(read(view).items.size() == kMostBodies);
 }
 
 TEST_CASE("content: in space nothing has a mark, and an orbit is a circle instead of a model") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     view.bodies = {body_at(0, 0.5, 0), body_at(0.1, 0.4, 0)};
     view.bodies[1].model = "orbit";
     view.bodies[1].scale.setConstant(0.7);
@@ -222,7 +222,7 @@ TEST_CASE("content: in space nothing has a mark, and an orbit is a circle instea
 
 TEST_CASE(
     "content: a label's arrow covers what it hides, and a load's label has the load's colour") {
-    View view = without_tool();
+    runtime::View view = without_tool();
     ViewTorque torque;
     torque.axis_W = Vector3(-0.2, 0.4, 0);
     torque.force = {true, Vector3(0.2, 0.5, 0), Vector3(0, -4, 0), "4 N", ForceLook::load};
@@ -242,11 +242,11 @@ TEST_CASE(
 }
 
 TEST_CASE("content: the hand is seen where it is projected, as large as it is there") {
-    const auto seen = [](const View& view) {
+    const auto seen = [](const runtime::View& view) {
         const Camera camera(view.camera, 1280, 720);
         return hand_seen(view, camera, [](const std::string&) -> const gl::Mesh& { return box(); });
     };
-    View view;
+    runtime::View view;
     view.tool = body_at(0.1, 0.4, 0.0);
     const Camera camera(view.camera, 1280, 720);
     const auto middle = camera.project(Vector3(0.1, 0.4, 0.0));

@@ -32,7 +32,7 @@ TEST_CASE("picture: the same view gives the same picture, whatever its time") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("red", {0.0, 0.4, 0.0})};
     view.caption = "Hello";
     const Image first = studio->draw(view);
@@ -45,7 +45,7 @@ TEST_CASE("picture: a body is seen where it is, in its colour, nearer ones befor
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("red", {0.0, 0.4, 0.0})};
     const auto red = pixel_at(studio->draw(view), view, {0.0, 0.4, 0.1});
     CHECK(red[0] > 150);
@@ -62,7 +62,7 @@ TEST_CASE("picture: squash makes a body flatter and wider") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("red", {0.0, 0.45, 0.0})};
     const Image round = studio->draw(view);
     view.bodies[0].scale = Vector3(1.4, 0.5, 1.4);
@@ -80,7 +80,7 @@ TEST_CASE("picture: shadows darken the floor below a body, and only there") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.camera.eye_W = Vector3(0.0, 1.2, 1.2);
     const Image bare = studio->draw(view);
     view.bodies = {body("red", {0.0, 0.5, -0.2})};
@@ -97,7 +97,7 @@ TEST_CASE("picture: the shadow of a body high above lies where the lamp throws i
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.camera.eye_W = Vector3(0.0, 1.2, 1.2);
     const Image bare = studio->draw(view);
     view.bodies = {body("red", {0.0, 3.0, 0.0})};
@@ -116,7 +116,7 @@ TEST_CASE("picture: a body shades the one below it, and no body shades itself in
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.camera.eye_W = Vector3(0.0, 0.9, 1.5);
     view.bodies = {body("red", {0.0, 0.1, 0.0})};
     const Image alone = studio->draw(view);
@@ -141,7 +141,7 @@ TEST_CASE("picture: the mark on the floor shows where a falling body will land")
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.camera.eye_W = Vector3(0.0, 1.2, 1.2);
     const Image bare = studio->draw(view);
     view.bodies = {body("red", {0.3, 0.6, -0.3})};
@@ -162,7 +162,7 @@ TEST_CASE("picture: the hand's mark is dashed, a falling thing's is whole") {
         return;
     }
     // How often brightness, on the way around the mark's ring, passes the mean of a dash and a gap.
-    const auto changes = [&](const View& view) {
+    const auto changes = [&](const runtime::View& view) {
         const Image image = studio->draw(view);
         // The ring is a quarter larger where a thing is one reach of the light above the floor.
         const double reach_m = kLightReach * Camera(view.camera, kWidth, kHeight).distance_m();
@@ -189,10 +189,10 @@ TEST_CASE("picture: the hand's mark is dashed, a falling thing's is whole") {
         }
         return count;
     };
-    View falling = nothing();
+    runtime::View falling = nothing();
     falling.camera.eye_W = Vector3(0.0, 0.9, 0.9);
     falling.camera.target_W = Vector3(0.0, 0.1, 0.0);
-    View held = falling;
+    runtime::View held = falling;
     falling.bodies.push_back(body("red", {0.0, 0.55, 0.0}));
     held.tool = body("red", {0.0, 0.55, 0.0});
     held.tool_visible = true;
@@ -206,7 +206,7 @@ TEST_CASE("picture: a far thing that is sunk in the floor grows out of it withou
     if (!studio) {
         return;
     }
-    View hill = nothing();
+    runtime::View hill = nothing();
     hill.camera.eye_W = Vector3(0.0, 1.0, 1.5);
     hill.camera.target_W = Vector3(0.0, 0.4, 0.0);
     hill.bodies.push_back(body("red", {0.0, -0.4, -3.0}));
@@ -232,7 +232,7 @@ TEST_CASE("picture: a highlight draws a line around a body") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("green", {0.0, 0.45, 0.0})};
     const Image plain = studio->draw(view);
     view.bodies[0].highlight = 1.0;
@@ -248,7 +248,7 @@ TEST_CASE("picture: the force is seen through everything before it") {
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("green", {0.0, 0.4, 0.3})};
     const Image without = studio->draw(view);
     view.force = {true, {0.0, 0.5, 0.0}, {0.0, -4.0, 0.0}, ""};
@@ -268,7 +268,7 @@ TEST_CASE("picture: the ghost is seen through") {
     if (!studio) {
         return;
     }
-    View view;
+    runtime::View view;
     view.tool = body("red", {-0.3, 0.4, 0.0});
     const Image without = studio->draw(view);
     view.ghost_visible = true;
@@ -290,7 +290,7 @@ TEST_CASE("picture: a hand behind a thing is seen through it, one before it is a
     }
     const Vector3 behind{0.0, 0.4, -0.3};
     const Vector3 before{0.0, 0.4, 0.3};
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("green", {0.0, 0.4, 0.0})};
     view.bodies.back().scale = {2.0, 2.0, 2.0};
     const auto alone = pixel_at(studio->draw(view), view, behind);
@@ -320,7 +320,7 @@ TEST_CASE("picture: what lies in the hand does not let it through") {
         return;
     }
     const Vector3 inside{0.0, 0.42, 0.0};
-    View view = nothing();
+    runtime::View view = nothing();
     view.bodies = {body("green", inside)};
     view.bodies.back().scale = {0.5, 0.5, 0.5};
     const Vector3 seen = inside + Vector3(0.0, 0.0, 0.05);
@@ -341,7 +341,7 @@ TEST_CASE("picture: in space it is dark all around, with neither floor nor shado
     if (!studio) {
         return;
     }
-    View view = nothing();
+    runtime::View view = nothing();
     view.in_space = true;
     const Image image = studio->draw(view);
     int dark = 0;

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -11,14 +10,14 @@ using namespace fulcrum::runtime;
 
 namespace {
 
-Eigen::Vector3f corner_of(const ModelPrimitive& primitive, std::size_t i) {
+Vector3f corner_of(const ModelPrimitive& primitive, std::size_t i) {
     return {primitive.positions[3 * i], primitive.positions[3 * i + 1],
             primitive.positions[3 * i + 2]};
 }
 
 // Half of the box around it.
-Eigen::Vector3f half_size(const LoadedModel& model) {
-    Eigen::Vector3f most = Eigen::Vector3f::Zero();
+Vector3f half_size(const LoadedModel& model) {
+    Vector3f most = Vector3f::Zero();
     for (std::size_t i = 0; i < model.primitives[0].positions.size() / 3; ++i) {
         most = most.cwiseMax(corner_of(model.primitives[0], i).cwiseAbs());
     }
@@ -29,10 +28,10 @@ Eigen::Vector3f half_size(const LoadedModel& model) {
 bool faces_outwards(const LoadedModel& model) {
     const ModelPrimitive& primitive = model.primitives[0];
     for (std::size_t t = 0; t + 2 < primitive.indices.size(); t += 3) {
-        const Eigen::Vector3f a = corner_of(primitive, primitive.indices[t]);
-        const Eigen::Vector3f b = corner_of(primitive, primitive.indices[t + 1]);
-        const Eigen::Vector3f c = corner_of(primitive, primitive.indices[t + 2]);
-        const Eigen::Vector3f across = (b - a).cross(c - a);
+        const Vector3f a = corner_of(primitive, primitive.indices[t]);
+        const Vector3f b = corner_of(primitive, primitive.indices[t + 1]);
+        const Vector3f c = corner_of(primitive, primitive.indices[t + 2]);
+        const Vector3f across = (b - a).cross(c - a);
         if (across.norm() > 1e-9F && across.dot(a + b + c) < -1e-9F) {
             return false;
         }
@@ -43,7 +42,7 @@ bool faces_outwards(const LoadedModel& model) {
 }  // namespace
 
 TEST_CASE("tool model: it is as large as the tool that is felt, and its fronts look outwards") {
-    const auto check = [](const CursorShape& shape, const Eigen::Vector3f& half) {
+    const auto check = [](const CursorShape& shape, const Vector3f& half) {
         const LoadedModel model = make_tool_model(shape);
         REQUIRE(model.primitives.size() == 1);
         CHECK((half_size(model) - half).norm() < 2e-4F);

@@ -1,0 +1,236 @@
+// Parts of matrices, how they are filled, and in which order numbers are added.
+#include "haptics/math/matrix.h"
+#include "haptics/math/to_eigen.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace fulcrum {
+namespace {
+
+using Eigen6 = Eigen::Matrix<double, 6, 6>;
+
+// The same change to a matrix of ours and to one that keeps a copy of what it reads.
+template <class Change>
+void check_alike(const Change& change) {
+    Random random(8);
+    Matrix6 ours = random.matrix<Matrix6>();
+    Eigen6 judge = to_eigen(ours);
+    const Eigen6 before = judge;
+    change(ours, judge, before);
+    CHECK(to_eigen(ours) == judge);
+    CHECK(judge != before);
+}
+
+}  // namespace
+
+TEST_CASE("matrix parts: what is written to a part is written to its whole, and to nothing else") {
+    const auto ones = [](auto part) { part = decltype(part)::Value::Ones(); };
+    check_alike([&](auto& m, auto& j, auto&) { ones(m.col(2)), j.col(2).setOnes(); });
+    check_alike([&](auto& m, auto& j, auto&) { ones(m.row(5)), j.row(5).setOnes(); });
+    check_alike([&](auto& m, auto& j, auto&) { ones(m.diagonal()), j.diagonal().setOnes(); });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template block<2, 3>(1, 3)), j.template block<2, 3>(1, 3).setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template topLeftCorner<3, 2>()), j.template topLeftCorner<3, 2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template topRightCorner<3, 2>()), j.template topRightCorner<3, 2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template bottomLeftCorner<3, 2>()), j.template bottomLeftCorner<3, 2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template bottomRightCorner<3, 2>()), j.template bottomRightCorner<3, 2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template leftCols<2>()), j.template leftCols<2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template rightCols<2>()), j.template rightCols<2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template topRows<2>()), j.template topRows<2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.template bottomRows<2>()), j.template bottomRows<2>().setOnes();
+    });
+    // Parts of parts.
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.col(4).template head<2>()), j.col(4).template head<2>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        ones(m.diagonal().template tail<3>()), j.diagonal().template tail<3>().setOnes();
+    });
+    check_alike([&](auto& m, auto& j, auto&) {
+        m.template block<3, 3>(2, 1).diagonal()[1] = 7.0;
+        j(3, 2) = 7.0;
+    });
+    check_alike([&](auto& m, auto& j, auto&) { m.row(3)[1] = j(3, 1) = 9.0; });
+    check_alike([&](auto& m, auto& j, auto&) {
+        m.template bottomRightCorner<2, 2>()(1, 0) = j(5, 4) = 9.0;
+    });
+    check_alike([&](auto& m, auto& j, auto&) { m.row(1) *= 3.0, j.row(1) *= 3.0; });
+    check_alike([&](auto& m, auto& j, auto&) { m.col(1) /= 3.0, j.col(1) /= 3.0; });
+    check_alike([&](auto& m, auto& j, auto&) {
+        m.diagonal().setConstant(2.0), j.diagonal().setConstant(2.0);
+    });
+    check_alike([&](auto& m, auto& j, auto&) { m.row(0).setZero(), j.row(0).setZero(); });
+}
+
+TEST_CASE("matrix parts: what is assigned may overlap what it is assigned to") {
+    check_alike([](auto& m, auto& j, auto& b) { m = m.transpose(), j = b.transpose(); });
+    check_alike([](auto& m, auto& j, auto& b) { m += m.transpose(), j += b.transpose(); });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.template block<4, 4>(0, 0) = m.template block<4, 4>(1, 2);
+        j.template block<4, 4>(0, 0) = b.template block<4, 4>(1, 2);
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.template block<4, 4>(1, 2) = m.template block<4, 4>(0, 0);
+        j.template block<4, 4>(1, 2) = b.template block<4, 4>(0, 0);
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.template block<3, 3>(0, 0) = m.template block<3, 3>(1, 0).transpose();
+        j.template block<3, 3>(0, 0) = b.template block<3, 3>(1, 0).transpose();
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.template block<3, 3>(1, 1) += m.template block<3, 3>(0, 0);
+        j.template block<3, 3>(1, 1) += b.template block<3, 3>(0, 0);
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.template block<3, 3>(1, 1) -= m.template block<3, 3>(0, 2);
+        j.template block<3, 3>(1, 1) -= b.template block<3, 3>(0, 2);
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.col(0) = m.row(0).transpose();
+        j.col(0) = b.row(0).transpose();
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.row(2) = m.diagonal().transpose();
+        j.row(2) = b.diagonal().transpose();
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        // Of the same kind, and one that itself cannot be changed.
+        const auto to = m.col(3).template tail<4>();
+        to = m.col(3).template head<4>();
+        j.col(3).template tail<4>() = b.col(3).template head<4>();
+    });
+    check_alike([](auto& m, auto& j, auto& b) {
+        m.col(2) = m * m.col(2);
+        Matrix6 copy = from_eigen(b);
+        j.col(2) = to_eigen(copy * copy.col(2));
+    });
+}
+
+TEST_CASE("matrix parts: a part of what cannot be changed is a copy or a view to read") {
+    Random random(9);
+    const auto m = random.matrix<Matrix6>();
+    const Eigen6 judge = to_eigen(m);
+    CHECK(to_eigen(m.col(2)) == judge.col(2));
+    CHECK(to_eigen(m.row(2).eval()) == judge.row(2));
+    CHECK(to_eigen(m.diagonal()) == judge.diagonal());
+    CHECK(to_eigen(m.block<2, 3>(1, 3)) == judge.block<2, 3>(1, 3));
+    CHECK(to_eigen(m.topLeftCorner<2, 3>()) == judge.topLeftCorner<2, 3>());
+    CHECK(to_eigen(m.topRightCorner<2, 3>()) == judge.topRightCorner<2, 3>());
+    CHECK(to_eigen(m.bottomLeftCorner<2, 3>()) == judge.bottomLeftCorner<2, 3>());
+    CHECK(to_eigen(m.bottomRightCorner<2, 3>()) == judge.bottomRightCorner<2, 3>());
+    CHECK(to_eigen(m.leftCols<2>()) == judge.leftCols<2>());
+    CHECK(to_eigen(m.rightCols<2>()) == judge.rightCols<2>());
+    CHECK(to_eigen(m.topRows<2>()) == judge.topRows<2>());
+    CHECK(to_eigen(m.bottomRows<2>()) == judge.bottomRows<2>());
+    CHECK(m.row(1).transpose().dot(m.col(1)) ==
+          Approx(judge.row(1).transpose().dot(judge.col(1))).epsilon(1.0e-14));
+    // Nor does it compile to assign to such a part.
+    static_assert(!std::is_assignable_v<decltype(m.col(0)), Vector6>);
+    static_assert(!std::is_assignable_v<decltype(m.diagonal()), Vector6>);
+    static_assert(!std::is_assignable_v<decltype(m.topRows<2>()), Matrix<double, 2, 6>>);
+    static_assert(!std::is_assignable_v<decltype(m.bottomRows<2>()), Matrix<double, 2, 6>>);
+    static_assert(!std::is_assignable_v<decltype(m.block<3, 3>(0, 0)), Matrix3>);
+    static_assert(!std::is_assignable_v<decltype(m.row(0)[0]), double>);
+    static_assert(!std::is_assignable_v<decltype(m.transpose()(0, 0)), double>);
+    // Of what goes, rows as columns are kept.
+    const auto kept = (m + m).transpose();
+    static_assert(std::is_same_v<decltype(kept), const Matrix6>);
+    CHECK(to_eigen(kept) == 2.0 * judge.transpose());
+}
+
+TEST_CASE("matrix parts: a view computes what its copy does") {
+    Random random(10);
+    auto m = random.matrix<Matrix6>();
+    const auto view = m.block<3, 3>(2, 1);
+    const Matrix3 copy = view;
+    CHECK(view.determinant() == copy.determinant());
+    CHECK(view.inverse() == copy.inverse());
+    CHECK(view.trace() == copy.trace());
+    CHECK(view.norm() == copy.norm());
+    CHECK(view.cwiseAbs() == copy.cwiseAbs());
+    CHECK(view.cwiseAbs2() == copy.cwiseAbs2());
+    CHECK(view.cwiseAbs().cwiseSqrt() == copy.cwiseAbs().cwiseSqrt());
+    CHECK(view.cwiseMin(copy.transpose()) == copy.cwiseMin(copy.transpose()));
+    CHECK(view.cwiseMax(copy.transpose()) == copy.cwiseMax(copy.transpose()));
+    CHECK(view.cwiseProduct(copy) == copy.cwiseAbs2());
+    CHECK(view.minCoeff() == copy.minCoeff());
+    CHECK(view.maxCoeff() == copy.maxCoeff());
+    CHECK(view.sum() == copy.sum());
+    CHECK(view.allFinite());
+    CHECK(view.isApprox(copy, 0.0));
+    CHECK(view + view == 2.0 * copy);
+    CHECK(view - copy == Matrix3::Zero());
+    CHECK(-view == -copy);
+    CHECK(view / 3.0 == copy / 3.0);
+    const auto line = m.diagonal().tail<3>();
+    const Vector3 v = line;
+    CHECK(line.x() == v.x());
+    CHECK(line.y() == v.y());
+    CHECK(line.z() == v.z());
+    CHECK(line.dot(v) == v.squaredNorm());
+    CHECK(line.squaredNorm() == v.squaredNorm());
+    CHECK(line.normalized() == v.normalized());
+    CHECK(line.cross(Vector3::UnitX()) == v.cross(Vector3::UnitX()));
+    CHECK(line.cast<float>() == v.cast<float>());
+    CHECK(Matrix3::Zero().isZero(0.0));
+}
+
+TEST_CASE("matrix parts: numbers and parts fill row by row from the left") {
+    Matrix<double, 2, 3> m;
+    m << 1, 2, 3, 4, 5, 6;
+    CHECK(m(0, 2) == 3.0);
+    CHECK(m(1, 0) == 4.0);
+    Random random(11);
+    const auto a = random.matrix<Matrix3>();
+    const Vector3 v = random.in_cube();
+    Matrix4 whole;
+    whole << a, v, v.transpose(), 7.0;
+    CHECK(whole.topLeftCorner<3, 3>() == a);
+    CHECK(whole.topRightCorner<3, 1>() == v);
+    CHECK(whole.bottomLeftCorner<1, 3>() == Matrix<double, 1, 3>(v.data()));
+    CHECK(whole(3, 3) == 7.0);
+    Vector6 both;
+    both << v, 2.0 * v;
+    CHECK(both.head<3>() == v);
+    CHECK(both.tail<3>() == 2.0 * v);
+    CHECK((Vector6() << 1, v.head<2>(), v).finished() ==
+          (Vector6() << 1, v.x(), v.y(), v.x(), v.y(), v.z()).finished());
+    Matrix3 columns;
+    columns << v, 2.0 * v, 3.0 * v;
+    CHECK(columns == v * Vector3(1, 2, 3).transpose());
+    // A part is filled likewise, and what is beside it stays.
+    Matrix6 held = Matrix6::Zero();
+    held.block<2, 2>(1, 3) << 1, 2, 3, 4;
+    held.col(5).head<3>() << v;
+    held.row(5) << 8, 9, 0, 0, 0, 0;
+    CHECK(held(1, 3) == 1.0);
+    CHECK(held(1, 4) == 2.0);
+    CHECK(held(2, 3) == 3.0);
+    CHECK(held(2, 4) == 4.0);
+    CHECK(held.col(5).head<3>() == v);
+    CHECK(held(5, 0) == 8.0);
+    CHECK(held(5, 1) == 9.0);
+    CHECK(held.cwiseAbs().sum() == Approx(27.0 + v.cwiseAbs().sum()).epsilon(1.0e-14));
+}
+
+}  // namespace fulcrum
