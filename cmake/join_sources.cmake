@@ -2,11 +2,13 @@
 # several sources of a folder are compiled at a time, which halves the time of a fresh build. Each of them includes what it
 # uses all the same: clang-tidy reads them one by one, and the preset for figures compiles them so.
 option(FULCRUM_JOIN "compile several sources at a time" ON)
-set(FULCRUM_JOINED 8)  # sources at most
+set(FULCRUM_JOINED 16)  # sources at most
 
-# fulcrum_join_library(TARGET SOURCE ...): CMake's own way, for sources that refer to each other. What they have to themselves,
-# in anonymous namespaces, must be called by different names within a folder.
+# fulcrum_join_library(TARGET SOURCE ... [APART NAME ...]): CMake's own way, for sources that refer to each other. What they have to
+# themselves, in anonymous namespaces, must be called by different names within a folder. Sources with the names behind APART are
+# joined among themselves: the load path of haptics, so that the step path can be judged by its objects.
 function(fulcrum_join_library target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "APART")
   if(NOT FULCRUM_JOIN)
     return()
   endif()
@@ -15,17 +17,29 @@ function(fulcrum_join_library target)
     # A class that hides its parts in its source is taken for one of a header, whose parts every source would have anew.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
-  set(n_groups 0)
-  set(last_folder "")
-  foreach(source IN LISTS ARGN)
-    cmake_path(GET source PARENT_PATH folder)
-    if(NOT folder STREQUAL last_folder OR n EQUAL FULCRUM_JOINED)
-      math(EXPR n_groups "${n_groups} + 1")
-      set(last_folder ${folder})
-      set(n 0)
+  set(together)
+  set(apart)
+  foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
+    cmake_path(GET source FILENAME name)
+    if(name IN_LIST arg_APART)
+      list(APPEND apart ${source})
+    else()
+      list(APPEND together ${source})
     endif()
-    math(EXPR n "${n} + 1")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${n_groups})
+  endforeach()
+  set(n_groups 0)
+  foreach(sources together apart)
+    set(last_folder "")
+    foreach(source IN LISTS ${sources})
+      cmake_path(GET source PARENT_PATH folder)
+      if(NOT folder STREQUAL last_folder OR n EQUAL FULCRUM_JOINED)
+        math(EXPR n_groups "${n_groups} + 1")
+        set(last_folder ${folder})
+        set(n 0)
+      endif()
+      math(EXPR n "${n} + 1")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${n_groups})
+    endforeach()
   endforeach()
 endfunction()
 

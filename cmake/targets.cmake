@@ -1,17 +1,19 @@
 include(discover_tests)
 include(join_sources)
 
-# Eigen and the commonest standard headers are compiled once for all libraries. Sources include what they use all the
-# same: the presets for clang build without this.
+# The commonest headers are compiled once for all libraries. Sources include what they use all the
+# same: clang-tidy reads them without this.
 add_library(fulcrum_pch OBJECT ${CMAKE_SOURCE_DIR}/cmake/precompiled.cpp)
-target_link_libraries(fulcrum_pch PRIVATE fulcrum_options Eigen3::Eigen tl::expected)
-target_precompile_headers(fulcrum_pch PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <cstdint>
-                          <memory> <optional> <span> <string> <string_view> <tl/expected.hpp> <vector>)
+target_link_libraries(fulcrum_pch PRIVATE fulcrum_options tl::expected)
+target_precompile_headers(fulcrum_pch PRIVATE <algorithm> <array> <atomic> <charconv> <chrono> <cmath> <cstdint> <cstdio> <cstring>
+                          <deque> <filesystem> <fstream> <functional> <iterator> <limits> <map> <memory> <numbers> <optional>
+                          <set> <span> <sstream> <string> <string_view> <system_error> <thread> <tl/expected.hpp>
+                          <unordered_map> <utility> <variant> <vector> <haptics/math/rotation.h> <haptics/base/error.h>)
 
 # fulcrum_library(NAME folder [DEPENDS ...]): one static library from every .cpp under folder (tests live elsewhere),
-# with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries.
+# with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries; APART: see join_sources.cmake.
 function(fulcrum_library name folder)
-  cmake_parse_arguments(arg "" "" "DEPENDS;EXCLUDE;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "DEPENDS;EXCLUDE;PRIVATE;APART" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   foreach(pattern IN LISTS arg_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX "/${folder}/${pattern}")
@@ -20,11 +22,7 @@ function(fulcrum_library name folder)
     add_library(fulcrum_${name} STATIC ${sources})
     target_link_libraries(fulcrum_${name} PUBLIC fulcrum_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
     target_precompile_headers(fulcrum_${name} REUSE_FROM fulcrum_pch)
-    # What a haptic step executes is compiled source by source: of joined ones the compiler inlines less, and the linker may take
-    # such a copy of a header's function (tests/system/economy counted 120 instructions more in each round).
-    if(FULCRUM_SANITIZE OR NOT name STREQUAL haptics)
-      fulcrum_join_library(fulcrum_${name} ${sources})
-    endif()
+    fulcrum_join_library(fulcrum_${name} ${sources} APART ${arg_APART})
   else()
     add_library(fulcrum_${name} INTERFACE)
     target_link_libraries(fulcrum_${name} INTERFACE fulcrum_options ${arg_DEPENDS})

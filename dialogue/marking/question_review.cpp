@@ -37,7 +37,7 @@ std::vector<Sample> samples_of(const TemplateSet& set, int number) {
     return samples;
 }
 
-std::string quoted(std::string_view sentence) {
+std::string in_quotes(std::string_view sentence) {
     return concat({"\"", sentence_case(sentence), "\""});
 }
 
@@ -68,7 +68,7 @@ void find_unreachable(const TemplateSet& set, int number, const std::vector<Samp
     if (!samples.empty() && taker != number) {
         found.push_back(concat(
             {"answer ", std::to_string(number + 1), " is never taken: what it says is answer ",
-             std::to_string(taker + 1), " already, e.g. ", quoted(samples.front().said)}));
+             std::to_string(taker + 1), " already, e.g. ", in_quotes(samples.front().said)}));
     }
 }
 
@@ -78,8 +78,8 @@ void find_ambiguous(const TemplateSet& set, const std::vector<Sample>& samples,
     for (const Sample& sample : samples) {
         const auto parse = match(set, sample.said);
         if (parse && parse->cost == 0 && sorted(parse->slots) != sorted(sample.slots)) {
-            found.push_back(concat({quoted(sample.said), " means ", written(sample.slots), ", and ",
-                                    written(parse->slots), " as well"}));
+            found.push_back(concat({in_quotes(sample.said), " means ", written(sample.slots),
+                                    ", and ", written(parse->slots), " as well"}));
             return;
         }
     }
@@ -127,7 +127,7 @@ void find_opposite_taken(const TemplateSet& set, const std::vector<Sample>& samp
             const auto parse = match(set, other);
             if (parse && parse->cost == 0 && !differs(*parse) &&
                 sorted(parse->slots) == sorted(sample.slots)) {
-                found.push_back(concat({quoted(other), " counts as ", quoted(sample.said),
+                found.push_back(concat({in_quotes(other), " counts as ", in_quotes(sample.said),
                                         "; give the two words a list, so that the lesson can "
                                         "tell, or the question both in its examples, as right"}));
                 return;

@@ -118,7 +118,7 @@ const BodyDescription* first_movable(const LessonDescription& lesson) {
     return found == lesson.bodies.end() ? nullptr : &*found;
 }
 
-std::string_view name_of(ProxyKind kind) {
+std::string_view proxy_name(ProxyKind kind) {
     constexpr std::string_view kNames[] = {"god-object", "virtual proxy", "friction cone"};
     return kNames[static_cast<std::size_t>(kind)];
 }
@@ -232,7 +232,7 @@ void list_haptic_stages(const LessonDescription& lesson, const HapticPlan& hapti
     } else if (!haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(haptic.solids.front().body);
         add(HapticStage::proxy,
-            "a body can be touched, by a " + std::string(name_of(haptic.proxy.kind)),
+            "a body can be touched, by a " + std::string(proxy_name(haptic.proxy.kind)),
             lesson.hand.proxy ? lesson.hand.line : lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
         list_moving_stages(lesson, haptic, add);
