@@ -28,17 +28,6 @@ Vector6 solve_lu(const Matrix6& A, const Vector6& b, Vector6* pivots) noexcept {
     return from_eigen(lu.solve(to_eigen(b)).eval());
 }
 
-bool invert(std::span<double> A, std::size_t n) {
-    const auto size = static_cast<Eigen::Index>(n);
-    Eigen::Map<Eigen::MatrixXd> whole(A.data(), size, size);
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(whole);
-    if (!whole.allFinite() || !lu.isInvertible()) {
-        return false;
-    }
-    whole = lu.inverse();
-    return true;
-}
-
 Vector6 solve_lower_transposed(const Matrix6& L, const Vector6& b) noexcept {
     Vector6 x = b;
     for (int i = 5; i >= 0; --i) {

@@ -8,20 +8,13 @@ file(GLOB field_and_loop CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/haptics/field/*.c
 set(economy_copy ${CMAKE_CURRENT_BINARY_DIR}/economy)
 set(field_and_loop_sources ${field_and_loop})
 list(FILTER field_and_loop_sources INCLUDE REGEX "[.]cpp$")
-# Of the loop alone only the step path is compiled again.
-set(step_sources ${field_and_loop_sources})
-list(FILTER step_sources INCLUDE REGEX "/haptics/loop/")
-foreach(name IN LISTS haptics_load_path)
-  list(FILTER step_sources EXCLUDE REGEX "/${name}$")
-endforeach()
-foreach(copy kind tested silent)
-  set(${copy}_sources ${step_sources})
-  if(copy STREQUAL kind)
-    set(${copy}_sources ${field_and_loop_sources})
-  endif()
-  list(TRANSFORM ${copy}_sources REPLACE "^${CMAKE_SOURCE_DIR}" ${economy_copy}/${copy})
-endforeach()
-add_custom_command(OUTPUT ${kind_sources} ${tested_sources} ${silent_sources}
+set(kind_sources ${field_and_loop_sources})
+list(TRANSFORM kind_sources REPLACE "^${CMAKE_SOURCE_DIR}" ${economy_copy}/kind)
+set(tested_source ${economy_copy}/tested/haptics/loop/haptic_loop.cpp)
+set(silent_source ${economy_copy}/silent/haptics/loop/haptic_loop.cpp)
+set_source_files_properties(${economy_copy}/kind/haptics/loop/haptic_loop.cpp ${tested_source} ${silent_source}
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+add_custom_command(OUTPUT ${kind_sources} ${tested_source} ${silent_source}
                    COMMAND ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${CMAKE_SOURCE_DIR} ${economy_copy}
                    DEPENDS ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${field_and_loop})
 # A program's own objects stand before those of the library; they are joined as those are.
@@ -37,8 +30,8 @@ add_economy_probe(economy_probe)
 add_economy_probe(economy_probe_more ${kind_sources})
 target_include_directories(economy_probe_more BEFORE PRIVATE ${economy_copy}/kind)
 target_compile_definitions(economy_probe_more PRIVATE ECONOMY_ADDED_KIND=wind)
-add_economy_probe(economy_probe_tested ${tested_sources})
-add_economy_probe(economy_probe_silent ${silent_sources})
+add_economy_probe(economy_probe_tested ${tested_source})
+add_economy_probe(economy_probe_silent ${silent_source})
 
 set(economy_name "system: only what a scene calls for is executed, whatever else the library knows")
 add_test(NAME "${economy_name}"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # add_effect.sh ROOT COPY: what it takes to add an effect, done to copies of the sources, for economy.sh to count.
 #   COPY/kind    the rooms field and loop with one more kind of field, "wind": declared, with its law, its gains, its stage
-#   COPY/tested  the room loop, whose haptic loop asks one question more in each round
-#   COPY/silent  the room loop, whose haptic loop tells nobody when a stage has ended
+#   COPY/tested  the haptic loop that asks one question more in each round
+#   COPY/silent  the haptic loop that tells nobody when a stage has ended
 set -euo pipefail
 root=$1 copy=$2
 mkdir -p "$copy"/{kind,tested,silent}/haptics/loop "$copy/kind/haptics/field"
@@ -35,8 +35,7 @@ insert "$tree/loop/haptic_plan.h" '^enum class HapticStage' '^    lesson,' '    
 insert "$tree/loop/haptic_plan.h" ' kNames\[\] = ' '"forces: lesson"' '"forces: wind",'
 insert "$tree/loop/haptic_plan.h" ' kStages\[\] = ' '^ *HapticStage::magnet};' 'HapticStage::wind,'
 
-cp "$root"/haptics/loop/*.cpp "$copy/tested/haptics/loop"
-cp "$root"/haptics/loop/*.cpp "$copy/silent/haptics/loop"
+cp "$root/haptics/loop/haptic_loop.cpp" "$copy/tested/haptics/loop"
 insert "$copy/tested/haptics/loop/haptic_loop.cpp" '^void HapticLoop::compute_forces' '^}' '    if (plan_.weight_onset_s < 0.0) {
         state_.faults |= Fault::command_invalid;
     }'
