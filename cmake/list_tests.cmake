@@ -1,10 +1,12 @@
 # Read by ctest: asks `program` for its test cases and registers each, named `prefix` + name, with `properties`.
 set(list_file ${program}.tests.cmake)
 if(NOT EXISTS ${program})
-  add_test("${prefix}(not built)" ${program})
+  cmake_path(GET program FILENAME name)
+  add_test("${prefix}(${name} is not built)" ${program})
   return()
 endif()
-if(${program} IS_NEWER_THAN ${list_file} OR ${CMAKE_CURRENT_LIST_FILE} IS_NEWER_THAN ${list_file})
+if(${program} IS_NEWER_THAN ${list_file} OR ${CMAKE_CURRENT_LIST_FILE} IS_NEWER_THAN ${list_file} OR
+   ${CMAKE_PARENT_LIST_FILE} IS_NEWER_THAN ${list_file})
   execute_process(COMMAND ${program} --list-test-names-only RESULT_VARIABLE status OUTPUT_VARIABLE names)
   set(script "")
   set(count 0)

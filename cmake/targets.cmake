@@ -30,18 +30,27 @@ function(fulcrum_library name folder)
   add_library(fulcrum::${name} ALIAS fulcrum_${name})
 endfunction()
 
-# fulcrum_tests(NAME folder LABEL label DEPENDS ... [BUILT_ANEW]): one test program from every *_test.cpp under folder; each
-# TEST_CASE is a ctest of its own, carrying the label. With FULCRUM_TEST_OBJECTS, another build's folder, the tests' objects are taken
-# from there: what they test is sanitized, they are not. Not those BUILT_ANEW, which are compiled for one build's folder or
-# for sanitizers, nor are those joined (join_sources.cmake), for they replace what the whole program allocates with.
+# fulcrum_tests(NAME folder LABEL label DEPENDS ... [PREFIX text] [BUILT_ANEW] [FLAT]): one test program from every *_test.cpp under
+# folder (FLAT: in it); each TEST_CASE is a ctest of its own, named PREFIX (NAME) and carrying the label and, of unit tests, its room's:
+# haptics/tool, whose programs are built by the target tests_haptics_tool, and with its neighbours' by tests_haptics. With
+# FULCRUM_TEST_OBJECTS, another build's folder, the tests' objects are taken from there: what they test is sanitized, they are not. Not
+# those BUILT_ANEW, which are compiled for one build's folder or for sanitizers, nor are those joined (join_sources.cmake), for they
+# replace what the whole program allocates with.
 function(fulcrum_tests name folder)
-  cmake_parse_arguments(arg "BUILT_ANEW" "LABEL;TIMEOUT" "DEPENDS;ENVIRONMENT" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
+  cmake_parse_arguments(arg "BUILT_ANEW;FLAT" "LABEL;TIMEOUT;PREFIX" "DEPENDS;ENVIRONMENT" ${ARGN})
+  set(glob GLOB_RECURSE)
+  if(arg_FLAT)
+    set(glob GLOB)
+  endif()
+  file(${glob} sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
   if(NOT sources)
     return()
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
+  endif()
+  if(NOT arg_PREFIX)
+    set(arg_PREFIX ${name})
   endif()
   if(NOT arg_BUILT_ANEW)
     fulcrum_join_sources(sources ${name} ${sources})
@@ -56,6 +65,39 @@ function(fulcrum_tests name folder)
   set_target_properties(test_${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(test_${name} PRIVATE ${arg_DEPENDS} fulcrum::test_support Catch2::Catch2WithMain)
   target_precompile_headers(test_${name} REUSE_FROM fulcrum_test_pch)
-  fulcrum_discover_tests(test_${name} PREFIX "${name}: " LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT}
+  set(labels ${arg_LABEL})
+  if(folder MATCHES "^tests/unit/(([^/]*).*)$")
+    list(APPEND labels ${CMAKE_MATCH_1})
+    foreach(room ${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+      string(REPLACE "/" "_" room tests_${room})
+      if(NOT TARGET ${room})
+        add_custom_target(${room})
+      endif()
+      add_dependencies(${room} test_${name})
+    endforeach()
+  endif()
+  fulcrum_discover_tests(test_${name} PREFIX "${arg_PREFIX}: " LABELS "${labels}" TIMEOUT ${arg_TIMEOUT}
                          ENVIRONMENT ${arg_ENVIRONMENT})
+endfunction()
+
+# fulcrum_room_tests(NAME folder ...): a program for each folder in it, and one for what lies in no folder, so that a change of one room is
+# built and tried by itself. NAME_programs has them.
+function(fulcrum_room_tests name folder)
+  file(GLOB rooms CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*)
+  fulcrum_tests(${name} ${folder} FLAT ${ARGN})
+  set(programs test_${name})
+  foreach(room IN LISTS rooms)
+    cmake_path(GET room FILENAME room)
+    if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/${folder}/${room})
+      fulcrum_tests(${name}_${room} ${folder}/${room} PREFIX ${name} ${ARGN})
+      list(APPEND programs test_${name}_${room})
+    endif()
+  endforeach()
+  set(existing)
+  foreach(program IN LISTS programs)
+    if(TARGET ${program})
+      list(APPEND existing ${program})
+    endif()
+  endforeach()
+  set(${name}_programs ${existing} PARENT_SCOPE)
 endfunction()

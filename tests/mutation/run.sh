@@ -19,7 +19,14 @@ export LIMIT_S=${MUTATION_LIMIT_S:-3600}
 export TEST_LIMIT_S=120            # as ctest has it
 export RC_PARAMS="seed=1"          # the same random inputs for each change
 
-declare -A programs=([haptics]="test_unit_haptics test_stability stability_cases" [dialogue]="test_unit_dialogue")
+# programs_of AREA ROOM: what tests a change there, the room's own tests first.
+programs_of() {
+    local all own=test_unit_$1_$2
+    all=$(ninja -C "$build" -t targets all | sed -nE "s,^tests/(test_unit_$1[a-z_]*): .*,\\1,p")
+    grep -xF "$own" <<<"$all" || true
+    grep -vxF "$own" <<<"$all"
+    [[ $1 != haptics ]] || printf '%s\n' test_stability stability_cases
+}
 
 say() { printf '%s\n' "$*" >&2; }
 die() {
@@ -100,27 +107,13 @@ build() {
 
 # ---- tests --------------------------------------------------------------------------------------------------------
 
-# list_tests OUT PROGRAM [FILE…]: writes the names of its tests, or of those in these files.
+# list_tests PROGRAM: writes the names of its tests.
 list_tests() {
-    local out=$1 program=$2 status=0 n spec=()
-    shift 2
-    [[ $# -eq 0 ]] || spec=(-# "$(printf '[#%s],' "${@%.cpp}")")
-    (cd "$build/tests" && "./$program" --list-test-names-only "${spec[@]}") >"$out" || status=$?
+    local out=$work/$1.names status=0 n
+    (cd "$build/tests" && "./$1" --list-test-names-only) >"$out" || status=$?
     # It returns how many there are, 255 where there are more.
     n=$(wc -l <"$out")
-    ((status == (n < 255 ? n : 255))) || die "$program cannot list its tests: it ended with $status after $n names"
-}
-
-# list_rooms PROGRAM AREA: the same for each of the area's rooms, of the unchanged program: a changed one may not even start.
-list_rooms() {
-    local folder depth files=()
-    for folder in "$tree/tests/unit/$2/"{,*/}; do
-        [[ -d $folder ]] || continue
-        depth=()
-        [[ $folder != "$tree/tests/unit/$2/" ]] || depth=(-maxdepth 1)
-        mapfile -t files < <(find "$folder" "${depth[@]}" -name '*_test.cpp' -printf '%f\n')
-        [[ ${#files[@]} -eq 0 ]] || list_tests "$work/$1-$(basename -- "$folder").names" "$1" "${files[@]}"
-    done
+    ((status == (n < 255 ? n : 255))) || die "$1 cannot list its tests: it ended with $status after $n names"
 }
 
 # try_one PROGRAM NAME FAILED: as ctest would, in a process of its own. What fails is run again, so that nothing is caught by
@@ -168,41 +161,35 @@ result_of() { awk -F '\t' -v id="$1" '$1 == id { print $2 }' "$result"; }
 try_unchanged() {
     local area=$1 begun=$SECONDS program
     [[ $(result_of "unchanged $area") != passes ]] || return 0
-    read -ra list <<<"${programs[$area]}"
-    say "$area, unchanged: building ${list[*]} …"
+    mapfile -t list < <(programs_of "$area" "")
+    say "$area, unchanged: building ${#list[@]} programs …"
     build "${list[@]}" || die "the unchanged tree does not compile; $work/build.log says why"
     for program in "${list[@]}"; do
-        list_tests "$work/$program.names" "$program"
-        [[ $program != test_unit_* ]] || list_rooms "$program" "$area"
+        list_tests "$program"
         say "$area, unchanged: running $(wc -l <"$work/$program.names") tests of $program …"
         if ! EACH=all DEADLINE=9999999999 try_all "$program" "$work/$program.names"; then
             cut -f 2 "$work/failed" >&2
             die "these tests fail without any change; mend them first"
         fi
     done
-    note "unchanged $area" passes "${programs[$area]}" "$((SECONDS - begun))"
+    note "unchanged $area" passes "${#list[@]} programs" "$((SECONDS - begun))"
 }
 
 # ---- changes ------------------------------------------------------------------------------------------------------
 
 # try_change ID FILE: notes what came of it.
 try_change() {
-    local id=$1 file=$2 area room begun=$SECONDS program own outcome=survived by=
+    local id=$1 file=$2 area room begun=$SECONDS program outcome=survived by=
     IFS=/ read -r area room _ <<<"$file"
-    [[ $room != *.* ]] || room=$area # a file of no room
     awk -v root="$tree" -v id="$id" -f "$here/apply.awk" "$table"
-    for program in ${programs[$area]}; do
+    for program in $(programs_of "$area" "$room"); do
         if ! build "$program"; then
             outcome='does not compile'
             break
         fi
         DEADLINE=$(($(date +%s) + LIMIT_S))
         export DEADLINE EACH=one
-        own=$work/$program-$room.names
-        [[ -f $own ]] || own=/dev/null
-        awk -v own="$own" 'BEGIN { while ((getline name <own) > 0) { first[name] } } !($0 in first)' "$work/$program.names" \
-            >"$work/others.names"
-        if ! { try_all "$program" "$own" && try_all "$program" "$work/others.names"; }; then
+        if ! try_all "$program" "$work/$program.names"; then
             IFS=$'\t' read -r outcome by <"$work/failed"
             break
         fi

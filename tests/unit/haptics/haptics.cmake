@@ -1,2 +1,2 @@
 # The tests of hidapi's folder run on devices that are sockets.
-target_link_libraries(test_unit_haptics PRIVATE fulcrum::hidapi fulcrum_hid_shim)
+target_link_libraries(test_unit_haptics_device PRIVATE fulcrum::hidapi fulcrum_hid_shim)
