@@ -292,6 +292,12 @@ Expected<TemplateSet> compile_templates(const TemplateSource& source) {
     add_tail_answers(set, *rules, source.sentences);
     add_variants(set, *rules, source.sentences);
     add_place_answers(set, *rules, source.sentences);
+    for (Graph& graph : set.graphs) {
+        graph.says.assign(static_cast<std::size_t>(set.words.size()), false);
+        for (const int word : graph.said) {
+            graph.says[static_cast<std::size_t>(word)] = true;
+        }
+    }
     return set;
 }
 

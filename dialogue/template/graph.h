@@ -106,6 +106,7 @@ struct Graph {
     std::vector<int> first_arc;  ///< by node, one more than there are nodes
     std::vector<Element> elements;
     std::vector<int> said;       ///< word numbers, arc after arc
+    std::vector<bool> says;      ///< by word number: whether some arc says it
     std::uint32_t slots = 0;     ///< bit i: slot i can be filled
     std::uint32_t required = 0;  ///< bit i: slot i is filled in every sentence
     std::uint32_t definite = 0;  ///< bit i: slot i stands behind "the": one thing that is there

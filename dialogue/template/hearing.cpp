@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -82,6 +83,29 @@ constexpr std::array<std::string_view, 134> kRealWords = {
     "cook",     "tablet", "cattle", "castor", "status", "battle", "chain",  "tile",   "time",
     "tired",    "widow",  "robber", "rudder", "stinky", "hare",   "herd",   "sort",   "sofa",
     "slippers", "rack",   "roof",   "male",   "mode",   "close",  "near",   "think"};
+
+using Phrases = std::vector<std::vector<std::string>>;
+
+/// The words of each.
+Phrases part(std::span<const std::string_view> phrases) {
+    Phrases parted;
+    for (const std::string_view phrase : phrases) {
+        parted.push_back(words_of(phrase));
+    }
+    return parted;
+}
+const Phrases& phrases() {
+    static const Phrases kParted = part(kPhrases);
+    return kParted;
+}
+const Phrases& remarks() {
+    static const Phrases kParted = part(kRemarks);
+    return kParted;
+}
+const Phrases& tags() {
+    static const Phrases kParted = part(kTags);
+    return kParted;
+}
 
 template <class Table>
 bool contains(const Table& table, std::string_view word) {
@@ -183,8 +207,7 @@ void mark_phrases(const TemplateSet& set, const std::vector<Token>& tokens, std:
         while (last > 0 && heard[last - 1].filler) {
             --last;
         }
-        for (const std::string_view phrase : kPhrases) {
-            const std::vector<std::string> words = words_of(phrase);
+        for (const std::vector<std::string>& words : phrases()) {
             if (all_known(set, words)) {
                 continue;  // "it feels like" where the templates speak of how it feels
             }
@@ -198,8 +221,7 @@ void mark_phrases(const TemplateSet& set, const std::vector<Token>& tokens, std:
                 break;
             }
         }
-        for (const std::string_view remark : kRemarks) {
-            const std::vector<std::string> words = words_of(remark);
+        for (const std::vector<std::string>& words : remarks()) {
             const auto begin = static_cast<std::size_t>(first - heard.begin());
             again = again || (!all_known(set, words) && begin + words.size() < last &&
                               mark_phrase(tokens, last - words.size(), words, heard));
@@ -307,13 +329,12 @@ bool is_frame(std::string_view utterance) {
     const std::vector<Token> tokens = tokenise(utterance);
     for (std::size_t at = 0; at < tokens.size();) {
         std::size_t framing = contains(kFillers, tokens[at].text) ? 1 : 0;
-        const auto take = [&](std::string_view phrase) {
-            const std::vector<std::string> words = words_of(phrase);
+        const auto take = [&](const std::vector<std::string>& words) {
             framing = stands_at(tokens, at, words) ? std::max(framing, words.size()) : framing;
         };
-        std::ranges::for_each(kPhrases, take);
-        std::ranges::for_each(kRemarks, take);
-        std::ranges::for_each(kTags, take);
+        std::ranges::for_each(phrases(), take);
+        std::ranges::for_each(remarks(), take);
+        std::ranges::for_each(tags(), take);
         if (framing == 0) {
             return false;
         }

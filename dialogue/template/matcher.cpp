@@ -190,6 +190,13 @@ Parse parse_of(const TemplateSet& set, int number, const Lattice& lattice,
 
 namespace {
 
+/// Whether a path of `graph` could say them all: it has each word that cannot be passed over. Most graphs have not, and need no lattice.
+bool has_words(const Graph& graph, const std::vector<HeardWord>& heard) {
+    return std::all_of(heard.begin(), heard.end(), [&](const HeardWord& word) {
+        return word.filler || word.doubled || graph.says[static_cast<std::size_t>(word.word)];
+    });
+}
+
 /// The best parse of the words as they were heard, or none.
 std::optional<Parse> match_heard(const TemplateSet& set, const std::vector<HeardWord>& heard,
                                  std::string_view utterance, MatchWork& counted) {
@@ -205,8 +212,9 @@ std::optional<Parse> match_heard(const TemplateSet& set, const std::vector<Heard
     std::optional<Parse> best;
     for (int number = 0; number < static_cast<int>(set.graphs.size()); ++number) {
         const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
-        if (graph.turned_round && best) {
-            continue;  // only where nothing else is meant
+        if ((graph.turned_round && best) ||  // only where nothing else is meant
+            !has_words(graph, heard)) {
+            continue;
         }
         const Lattice lattice(graph, heard, counted);
         if (lattice.cost() == kUnreached) {

@@ -77,12 +77,15 @@ constexpr std::array kEndings = {Ending{"n't", "not"}, Ending{"'s", "is"},    En
 
 /// Adds the word (its last apostrophe is at byte `apostrophe` of the text), parted when it is a contraction: it's, can't, they're. Other apostrophes are dropped.
 void push_word(std::vector<Token>& tokens, const Token& raw, std::size_t apostrophe) {
+    if (raw.text.find('\'') == std::string::npos) {
+        tokens.push_back(raw);
+        return;
+    }
     for (const Ending& ending : kEndings) {
-        const std::size_t stem_size =
-            raw.text.size() - std::min(raw.text.size(), ending.short_form.size());
-        if (stem_size == 0 || raw.text.substr(stem_size) != ending.short_form) {
+        if (raw.text.size() <= ending.short_form.size() || !raw.text.ends_with(ending.short_form)) {
             continue;
         }
+        const std::size_t stem_size = raw.text.size() - ending.short_form.size();
         std::string stem = raw.text.substr(0, stem_size);
         if (stem == "ca") {
             stem = "can";
