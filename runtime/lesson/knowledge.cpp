@@ -129,7 +129,7 @@ Error find_culprit(const LessonDescription& lesson, Error together) {
 }  // namespace
 
 bool begins_as_question(std::string_view words) {
-    constexpr std::array<std::string_view, 23> kFirst = {
+    constexpr std::array<std::string_view, 23> kOpeners = {
         "what", "what's", "how",  "which", "where", "who",  "whose", "why",
         "when", "is",     "are",  "does",  "do",    "did",  "was",   "were",
         "can",  "could",  "will", "would", "has",   "tell", "please"};
@@ -141,7 +141,7 @@ bool begins_as_question(std::string_view words) {
     }
     const std::string_view first =
         std::string_view(text).substr(begin, text.find_first_of(" ,?.!", begin) - begin);
-    return text[last] == '?' || std::ranges::find(kFirst, first) != kFirst.end();
+    return text[last] == '?' || std::ranges::find(kOpeners, first) != kOpeners.end();
 }
 
 bool asks_something(std::string_view words) {

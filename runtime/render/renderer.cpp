@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <epoxy/gl.h>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -41,8 +42,9 @@ Expected<void> check(const RendererSettings& settings) {
 
 /// Whatever others left switched on goes off.
 void start_from_known_state() {
-    for (const GLenum on : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND,
-                            GL_POLYGON_OFFSET_FILL, GL_DEPTH_CLAMP}) {
+    for (const GLenum on :
+         std::initializer_list<GLenum>{GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND,
+                                       GL_POLYGON_OFFSET_FILL, GL_DEPTH_CLAMP}) {
         glDisable(on);
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

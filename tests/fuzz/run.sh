@@ -5,8 +5,10 @@ set -euo pipefail
 cd "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.."
 seconds=${1:?usage: tests/fuzz/run.sh SECONDS [NAME…]}
 shift
-build=build/fuzz
-cmake --preset fuzz >"$build.configure.log" 2>&1 || { cat "$build.configure.log" >&2; exit 2; }
+preset=${FULCRUM_PRESET:-asan-short}
+export build=build/$preset
+mkdir -p build
+cmake --preset "$preset" >"$build.configure.log" 2>&1 || { cat "$build.configure.log" >&2; exit 2; }
 ninja --quiet -C "$build" fuzz_all
 
 # fuzz NAME SECONDS: 255 tells xargs to start no more.
@@ -18,10 +20,10 @@ fuzz() {
     [[ ! -d $seeds ]] || options+=("$seeds")
     [[ $name != lesson ]] || options+=("$PWD/tests/system/hostile") # lessons that mean harm are its best seeds
     [[ ! -f tests/fuzz/$name.dict ]] || options+=("-dict=tests/fuzz/$name.dict")
-    if ! "build/fuzz/tests/fuzz_$name" "$found" "${options[@]}" -max_total_time="$2" -timeout=10 -rss_limit_mb=2048 \
+    if ! "$build/tests/fuzz_$name" "$found" "${options[@]}" -max_total_time="$2" -timeout=10 -rss_limit_mb=2048 \
         -print_final_stats=1 -artifact_prefix="$crashes/" >"$log" 2>&1; then
         grep -m 1 -A 25 -E 'ERROR:|runtime error:|ALARM' "$log" || tail -n 25 "$log"
-        echo "fuzz $name: failed; see it again with: build/fuzz/tests/fuzz_$name $(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)"
+        echo "fuzz $name: failed; see it again with: $build/tests/fuzz_$name $(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)"
         exit 255
     fi
     printf 'fuzz %-10s %s s, %s inputs, %s edges reached\n' "$name" "$2" \
