@@ -18,7 +18,8 @@
 // budget, but for the first ways down, of twice as many pairs as there are levels at most, so that something is told. What was left out is counted,
 // and how deep it may be is told. Pairs stay from question to question: where the tool rests, the next one goes on from here.
 //
-//   normal   from a's to b's nearest point, or where the tool's piece lies behind the object's, as the mean normals of both say, against it. Where
+//   normal   from a's to b's nearest point, or where the tool's piece lies behind the object's, as the mean normals of both say, against it, if
+//            what looks one way of them is no thicker than d: a thicker piece may reach to a hole's wall from the body's other side. Where
 //            the hulls meet: the way of least translation, where triangles beside the pieces look so; else of the pieces' mean normals and
 //            their difference the one of least depth, unless that is four times as deep. A contact whose normal no triangle beside the pieces
 //            has, within 15 degrees, is none: it is a neighbour's

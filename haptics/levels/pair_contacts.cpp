@@ -86,7 +86,8 @@ PairContacts::PairContacts(const PiecesNear& pieces, const HullPair& found) noex
         normal_ = (found.on_second - found.on_first) / found.gap_m;
         depth_m_ = -found.gap_m;
         const bool looks = pieces.object.normal_B.norm() >= kRound || tool_normal_.norm() >= kRound;
-        is_behind = looks && found.gap_m <= pieces.within_m && do_both_look(-normal_, kFacing);
+        is_behind = looks && found.gap_m <= pieces.within_m && do_both_look(-normal_, kFacing) &&
+                    are_thin();
         if (is_behind) {
             normal_ = -normal_;
             depth_m_ = found.gap_m;
@@ -126,6 +127,17 @@ void PairContacts::add_nearest(const PairPoint& point, bool do_meet) noexcept {
     if (!do_meet || n_ <= kCorners) {
         points_[n_++] = point;
     }
+}
+
+// Behind a thin piece that looks one way is the inside of its body. Behind a thick one may be a hole, to whose wall the piece's hull reaches from
+// the other side of the body; and what came there through the piece is deeper than d.
+bool PairContacts::are_thin() const noexcept {
+    const double object_m = normal_.dot(pieces_.object_hull.find_support(normal_)) -
+                            normal_.dot(pieces_.object_hull.find_support(-normal_));
+    const double tool_m =
+        normal_.dot(tool_.find_support(normal_)) - normal_.dot(tool_.find_support(-normal_));
+    return (object_m <= pieces_.within_m || pieces_.object.normal_B.norm() < kRound) &&
+           (tool_m <= pieces_.within_m || tool_normal_.norm() < kRound);
 }
 
 double PairContacts::measure_depth_m(const Vector3& normal) const noexcept {

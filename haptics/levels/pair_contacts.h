@@ -82,6 +82,7 @@ class PairContacts {
     void find_way_out(const HullPair& found) noexcept;
     [[nodiscard]] bool do_both_look(const Vector3& normal, double least) const noexcept;
     [[nodiscard]] bool has_such_normal() const noexcept;
+    [[nodiscard]] bool are_thin() const noexcept;
     [[nodiscard]] double measure_depth_m(const Vector3& normal) const noexcept;
     void add_corners_of_tool() noexcept;
     void add_corners_of_object() noexcept;

@@ -38,7 +38,6 @@ struct PressCourse {
     std::function<bool(int)> is_garbage{};       // of a step's pose
     std::function<double(int)> find_dt_s{};      // of a step
     std::function<bool(double)> runs_contact{};  // of a time, by a thread of its own
-    bool tells_speed = true;                     // of the hand
 };
 
 ImplicitPenaltyTool make_pressed(const PressCourse& course) {
@@ -104,7 +103,7 @@ Finding press_and_leave(const PressCourse& course) {
             at.y() = i % 2 == 0 ? none : 1.0e300;
         }
         // Its speed as the loop finds it.
-        const bool has_speed = course.tells_speed && !is_garbage && dt_s > 0.0;
+        const bool has_speed = !is_garbage && dt_s > 0.0;
         const Vector3 speed_m_per_s =
             has_speed ? Vector3((at - given.at) / dt_s) : Vector3(Vector3::Zero());
         const ToolFelt felt =
@@ -242,11 +241,7 @@ const HardCase kSlivered{
      [] { return press_and_leave({.object = make_slivered(), .top_m = 0.02}); }}};
 const HardCase kThrough{
     {"levels tool on a mesh through itself", "where two bars cross", kMeasure, "",
-     // Where it is told how fast the hand is, the cube slips between the inner walls, and is caught there: see levels/README.md.
-     [] {
-         return press_and_leave(
-             {.object = make_crossed_bars(), .top_m = 0.02, .tells_speed = false});
-     }}};
+     [] { return press_and_leave({.object = make_crossed_bars(), .top_m = 0.02}); }}};
 const HardCase kRubbish{{"levels tool and garbage from the device",
                          "a pose in seven is no number or 1e300 m away", kMeasure, "", [] {
                              return press_and_leave(

@@ -1,13 +1,15 @@
-// Which way out two flat pieces that cross near a border are told, and when none is theirs.
+// Which way out two pieces are told, and when no contact is theirs.
 #include "haptics/geometry/shape.h"
 #include "haptics/levels/level_pairs.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/gear.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 using namespace fulcrum;
 
@@ -58,4 +60,33 @@ TEST_CASE(
     CHECK(is_told_at(4.0 * kThrough_m));
     CHECK_FALSE(is_told_at(8.0 * kThrough_m));
     CHECK_FALSE(is_told_at(20.0 * kThrough_m));
+}
+
+TEST_CASE(
+    "pair contacts: what stands in a hole, apart from its wall, is inside of nothing that reaches "
+    "there from the body's outer side") {
+    const auto make_levels = [](const TriangleMesh& mesh) {
+        return ContactLevels::create(mesh, {.within_m = 1.0e-3}).value();
+    };
+    // 0.25 to 0.3 mm between them where they are nearest.
+    const auto bush = make_levels(make_bush(0.02, 0.0115, 0.03, 35).value());
+    const auto peg = make_levels(make_peg(0.01, 0.06, 72).value());
+    constexpr double kOff_m = 1.2e-3;
+    const double tolerance_m = GENERATE(0.0, 2.0e-4, 8.0e-4);
+    const bool is_peg_tool = GENERATE(true, false);
+    CAPTURE(tolerance_m, is_peg_tool);
+    const auto pairs = LevelPairs::create(is_peg_tool ? bush : peg, is_peg_tool ? peg : bush,
+                                          {.tolerance_m = tolerance_m})
+                           .value();
+    for (int i = 0; i < 50; ++i) {
+        const double round = 0.02 * std::numbers::pi * i;
+        (void)pairs->find(Pose::at(kOff_m * Vector3(std::cos(round), std::sin(round), 0.0)),
+                          1.0e-3);
+        bool are_apart = !pairs->contacts().empty();
+        for (const LevelContact& contact : pairs->contacts()) {
+            are_apart = are_apart && contact.depth_m < contact.error_m;
+        }
+        INFO("direction " << i);
+        CHECK(are_apart);
+    }
 }
