@@ -132,8 +132,7 @@ TEST_CASE("arm control: singular postures are like any other to it") {
     const ArmModel wam = make_barrett_wam();
     ArmControl control = make_control(wam, 3.0);
     const JointVector straight = JointVector::Zero(7);
-    ArmPosture posture;
-    compute_posture(wam, straight, posture);
+    const ArmPosture posture = posture_of(wam, straight);
     REQUIRE(Eigen::FullPivLU<Eigen::MatrixXd>(to_eigen(posture.jacobian_B)).rank() < 6);
     const ArmCommand command = step(control, wam, straight, make_joints({1, 1, 1, 1, 1, 1, 1}),
                                     {Vector3(3.0, 3.0, 3.0), Vector3::Zero()});

@@ -22,12 +22,9 @@ constexpr HeldMass kHeld{0.8, 0.003};
 double compute_energy_by_differences(const ArmModel& model, const JointVector& q,
                                      const JointVector& v) {
     constexpr double kDt_s = 1e-6;
-    ArmPosture ahead;
-    ArmPosture behind;
-    ArmPosture middle;
-    compute_posture(model, q + kDt_s * v, ahead);
-    compute_posture(model, q - kDt_s * v, behind);
-    compute_posture(model, q, middle);
+    const ArmPosture ahead = posture_of(model, q + kDt_s * v);
+    const ArmPosture behind = posture_of(model, q - kDt_s * v);
+    const ArmPosture middle = posture_of(model, q);
     double energy_J = 0.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(model.n); ++i) {
         const ArmLink& link = model.links[i];

@@ -58,6 +58,12 @@ inline Vector3 draw_vector(std::mt19937& random, double most) {
     return Vector3(draw(random, 3, most).data());
 }
 
+inline ArmPosture posture_of(const ArmModel& model, const JointVector& q) {
+    ArmPosture posture;
+    compute_posture(model, q, posture);
+    return posture;
+}
+
 /// Everything that dynamics need at a posture.
 struct Place {
     Place(const ArmModel& model, const JointVector& q, const HeldMass& held = {})

@@ -16,8 +16,7 @@ namespace {
 constexpr double kDt_s = 0.0005;
 
 GripTarget at_handle(const ArmModel& model, const JointVector& q) {
-    ArmPosture posture;
-    compute_posture(model, q, posture);
+    const ArmPosture posture = posture_of(model, q);
     return {posture.handle_B, Vector3::Zero()};
 }
 
@@ -171,8 +170,7 @@ TEST_CASE("arm motion: what a held arm loses is what friction and the hand's dam
         const ArmState last = state;
         motion.step(JointVector::Zero(7), target, kShort_s, state);
         const JointVector mean = 0.5 * (last.speed_rad_per_s + state.speed_rad_per_s);
-        ArmPosture posture;
-        compute_posture(wam, 0.5 * (last.angle_rad + state.angle_rad), posture);
+        const ArmPosture posture = posture_of(wam, 0.5 * (last.angle_rad + state.angle_rad));
         const Vector6 hand = compute_motion_B(posture, mean);
         double power_W = grip.push.damping_Ns_per_m * hand.head<3>().squaredNorm() +
                          grip.turn_damping_Nms_per_rad * hand.tail<3>().squaredNorm();
@@ -290,8 +288,7 @@ TEST_CASE("arm motion: the stiffest hand at the longest step stays where it want
         ArmState state = at_rest(make_wam_home());
         const GripTarget target = at_handle(wam, state.angle_rad);
         run(motion, target, 4.0, 0.002, state);
-        ArmPosture posture;
-        compute_posture(wam, state.angle_rad, posture);
+        const ArmPosture posture = posture_of(wam, state.angle_rad);
         // It carries the arm's weight, some 30 N there.
         CHECK((posture.handle_B.position - target.pose_B.position).norm() < 1e-3);
         CHECK(state.speed_rad_per_s.cwiseAbs().maxCoeff() < 1e-3);

@@ -17,8 +17,7 @@ TEST_CASE("arm posture: two links in a plane are where sines and cosines put the
     model.links[1].a_m = 0.3;
     model.transmission = JointMatrix::Identity(2, 2);
     const JointVector q = make_joints({0.4, -1.1});
-    ArmPosture posture;
-    compute_posture(model, q, posture);
+    const ArmPosture posture = posture_of(model, q);
     const Vector3 expected(0.5 * std::cos(0.4) + 0.3 * std::cos(-0.7),
                            0.5 * std::sin(0.4) + 0.3 * std::sin(-0.7), 0.0);
     CHECK((posture.handle_B.position - expected).norm() < 1e-15);
@@ -34,17 +33,14 @@ TEST_CASE("arm posture: the Jacobian is the handle's derivative, by differences"
     constexpr double kStep_rad = 1e-6;  // truncation 1e-12, rounding 1e-10
     for (int k = 0; k < 100; ++k) {
         const JointVector q = draw(random, 7, 2.5);
-        ArmPosture posture;
-        compute_posture(wam, q, posture);
+        const ArmPosture posture = posture_of(wam, q);
         for (int i = 0; i < 7; ++i) {
             JointVector on = q;
             on(i) += kStep_rad;
             JointVector back = q;
             back(i) -= kStep_rad;
-            ArmPosture ahead;
-            ArmPosture behind;
-            compute_posture(wam, on, ahead);
-            compute_posture(wam, back, behind);
+            const ArmPosture ahead = posture_of(wam, on);
+            const ArmPosture behind = posture_of(wam, back);
             const Vector3 linear =
                 (ahead.handle_B.position - behind.handle_B.position) / (2.0 * kStep_rad);
             const Vector3 turning =
@@ -60,8 +56,7 @@ TEST_CASE("arm posture: every link's frame is a rotation, whatever the angles") 
     std::mt19937 random(2);
     const ArmModel wam = make_barrett_wam();
     for (int k = 0; k < 100; ++k) {
-        ArmPosture posture;
-        compute_posture(wam, draw(random, 7, 50.0), posture);
+        const ArmPosture posture = posture_of(wam, draw(random, 7, 50.0));
         for (const Matrix3& turn : posture.turn_B) {
             REQUIRE((turn * turn.transpose() - Matrix3::Identity()).norm() < 1e-13);
             REQUIRE(turn.determinant() == Approx(1.0));

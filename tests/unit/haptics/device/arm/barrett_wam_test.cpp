@@ -14,8 +14,7 @@ using namespace fulcrum;
 using namespace fulcrum::arm_test;
 
 TEST_CASE("Barrett WAM: it stands straight up at zero, as the maker draws it") {
-    ArmPosture posture;
-    compute_posture(make_barrett_wam(0.0), JointVector::Zero(7), posture);
+    const ArmPosture posture = posture_of(make_barrett_wam(0.0), JointVector::Zero(7));
     // Upper arm 0.55 m, forearm 0.3 m, wrist to the tool plate 0.0609 m; the elbow 45 mm ahead.
     CHECK((posture.handle_B.position - Vector3(0.0, 0.0, 0.9109)).norm() < 1e-12);
     CHECK((posture.origin_B[3] - Vector3(0.045, 0.0, 0.55)).norm() < 1e-12);
@@ -27,11 +26,10 @@ TEST_CASE(
     const ArmModel wam = make_barrett_wam();
     JointVector q = JointVector::Zero(7);
     q(1) = 0.5;
-    ArmPosture posture;
-    compute_posture(wam, q, posture);
+    ArmPosture posture = posture_of(wam, q);
     CHECK(posture.handle_B.position.x() == Approx(0.9909 * std::sin(0.5)));
     q = make_joints({0.0, 0.0, 0.0, 1.5707963267948966, 0.0, 0.0, 0.0});
-    compute_posture(wam, q, posture);
+    posture = posture_of(wam, q);
     CHECK(posture.handle_B.position.x() == Approx(0.045 + 0.4409));
     CHECK(posture.handle_B.position.z() == Approx(0.55 + 0.045));
 }
@@ -86,7 +84,6 @@ TEST_CASE("Barrett WAM: its home is far from every stop") {
         const ArmLink& link = wam.links[static_cast<std::size_t>(i)];
         CHECK(std::min(home(i) - link.low_rad, link.high_rad - home(i)) > 0.75);
     }
-    ArmPosture posture;
-    compute_posture(wam, home, posture);
+    const ArmPosture posture = posture_of(wam, home);
     CHECK((posture.handle_B.position - Vector3(0.513, -0.099, 0.348)).norm() < 0.001);
 }

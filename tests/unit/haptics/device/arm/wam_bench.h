@@ -15,6 +15,18 @@ namespace fulcrum::arm_test {
 
 inline constexpr double kTick_s = 0.001;
 
+/// No dry friction and no encoders, so that a rest is an equilibrium.
+inline SimulatedWamSettings make_smooth() {
+    SimulatedWamSettings settings;
+    for (ArmLink& link : settings.model.links) {
+        link.dry_friction_Nm = 0.0;
+    }
+    for (ArmMotor& motor : settings.model.motors) {
+        motor.counts_per_turn = 0.0;
+    }
+    return settings;
+}
+
 /// An arm with its target, and its clock.
 struct Bench {
     explicit Bench(const SimulatedWamSettings& settings = {}) {

@@ -1,6 +1,7 @@
 #include "haptics/device/hid/hid_port.h"
 
 #include "haptics/base/clock.h"
+#include "tests/support/eventually.h"
 #include "tests/support/virtual_hid.h"
 
 #include <catch2/catch.hpp>
@@ -16,19 +17,6 @@ using namespace fulcrum::hid;
 using namespace fulcrum::test_support;
 
 namespace {
-
-constexpr double kPatience_s = 20.0;  // of a machine that is busy with other things
-
-bool eventually(const std::function<bool()>& holds) {
-    const double until_s = monotonic_now_s() + kPatience_s;
-    while (!holds()) {
-        if (monotonic_now_s() > until_s) {
-            return false;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-}
 
 struct Rig {
     explicit Rig(bool with_force) {

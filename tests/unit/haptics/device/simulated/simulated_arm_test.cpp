@@ -193,21 +193,6 @@ TEST_CASE("simulated arm: a longer force is shortened in its direction, a bad on
     CHECK(bench.arm.force_D().norm() == 0.0);
 }
 
-TEST_CASE("simulated arm: the encoder shows the nearest whole step of where the arm is") {
-    SimulatedArmSettings settings;
-    settings.position_resolution_m = 5.5e-5;
-    Bench bench(settings);
-    bench.target.publish(at(Vector3(0.02, -0.013, 0.0)));
-    for (int k = 0; k < 500; ++k) {
-        bench.run(1);
-        const Vector3 shown_D = bench.reading.pose_D.position;
-        const Vector3 steps = shown_D / 5.5e-5;
-        REQUIRE((steps - Vector3(steps.cwiseRound())).norm() < 1e-9);
-        REQUIRE((shown_D - bench.arm.position_D()).cwiseAbs().maxCoeff() <= 2.75e-5 + kRounding);
-    }
-    CHECK(bench.arm.traits().position_resolution_m == 5.5e-5);
-}
-
 TEST_CASE("simulated arm: what a passive wall and a still hand do never adds energy") {
     // Between two writes the arm's energy falls short of what the force gave it, whatever its faults.
     SimulatedArmSettings settings = make_desktop_arm();
@@ -252,48 +237,4 @@ TEST_CASE("simulated arm: another hand takes it where it is; let go it flies on"
     bench.arm.take_hold(kPosture);
     bench.run(3000);
     CHECK(bench.arm.position_D().norm() < 1e-6);
-}
-
-TEST_CASE("simulated arm: reset puts it back, and the same input moves it to the same bits") {
-    SimulatedArmSettings settings = make_desktop_arm();
-    settings.delay_s = 0.0007;
-    settings.start_D = Vector3(0.01, 0.0, 0.0);
-    Bench bench(settings);
-    bench.target.publish(at(Vector3(0.03, -0.07, 0.11)));
-    const auto go = [&] {
-        bench.now_s = 0.0;
-        REQUIRE(bench.arm.read(0.0, bench.reading));
-        for (int k = 0; k < 777; ++k) {
-            REQUIRE(bench.arm.write(bench.now_s, push(2.0 * std::sin(0.1 * k))));
-            bench.run(1);
-        }
-        return bench.arm.position_D();
-    };
-    const Vector3 first = go();
-    bench.arm.reset();
-    CHECK(bench.arm.position_D() == settings.start_D);
-    CHECK(bench.arm.force_D().norm() == 0.0);
-    CHECK(go() == first);
-    CHECK(first.norm() > 0.05);
-}
-
-TEST_CASE("simulated arm: bad times and targets move nothing") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    Bench bench(SimulatedArmSettings{});
-    bench.target.publish(at(Vector3(nan, 0.0, 0.0)));
-    CHECK(bench.run(100).pose_D.position.norm() == 0.0);
-    HandTarget no_turn;
-    no_turn.pose_D.orientation.coeffs().setZero();
-    bench.target.publish(no_turn);
-    CHECK(is_finite(bench.run(10).pose_D));
-    bench.target.publish(at(Vector3(0.1, 0.0, 0.0)));
-    for (const double bad_s : {nan, std::numeric_limits<double>::infinity(), -1.0}) {
-        CHECK(bench.arm.read(bad_s, bench.reading));
-        CHECK(bench.reading.pose_D.position.norm() == 0.0);
-    }
-    CHECK(bench.run(3000).pose_D.position.x() == Approx(0.1));
-    // A wrench written at no time acts from the last read on.
-    CHECK(bench.arm.write(nan, push(3.0)));
-    CHECK(bench.arm.force_D().x() == 3.0);
-    CHECK(bench.run(3000).pose_D.position.x() == Approx(0.11));
 }

@@ -3,6 +3,7 @@
 
 #include "haptics/base/clock.h"
 #include "haptics/device/hid/hid_hand.h"
+#include "tests/support/eventually.h"
 #include "tests/support/hid_socket.h"
 #include "tests/support/scratch_folder.h"
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,19 +24,6 @@ using namespace fulcrum::hid;
 using namespace fulcrum::test_support;
 
 namespace {
-
-constexpr double kPatience_s = 20.0;
-
-bool eventually(const std::function<bool()>& holds) {
-    const double until_s = monotonic_now_s() + kPatience_s;
-    while (!holds()) {
-        if (monotonic_now_s() > until_s) {
-            return false;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-}
 
 struct Desk {
     [[nodiscard]] std::string at(const std::string& name) const { return folder.file(name); }
