@@ -29,7 +29,7 @@ double find_depth(const CollisionMesh& mesh, const Vector3& at_B, double radius_
 // Slides along the seam of two halves that do not meet; the hand is pressed in by several radii.
 Finding slide_along_crack(double crack_m) {
     constexpr double kBodyRadius_m = 0.1;
-    constexpr double kRadius_m = 2.0e-3;
+    constexpr double kBall_m = 2.0e-3;
     constexpr int kSlides = 50;
     constexpr int kSteps = 400;
     const auto mesh =
@@ -37,7 +37,7 @@ Finding slide_along_crack(double crack_m) {
     double deepest = 0.0;
     int n_leaks = 0;
     for (int slide = 0; slide < kSlides; ++slide) {
-        VirtualProxy proxy = make_ball(mesh, kRadius_m);
+        VirtualProxy proxy = make_ball(mesh, kBall_m);
         Random random(400U + static_cast<unsigned>(slide));
         const double begin = 3.0 * random.uniform();
         const double pressed_m = kBodyRadius_m * (0.9 + 0.05 * random.uniform());
@@ -51,7 +51,7 @@ Finding slide_along_crack(double crack_m) {
             }
             const Vector3& at_W = proxy.step(hand_W, {}).position_W;
             if (i % 20 == 19) {
-                deepest = worse(deepest, find_depth(*mesh, at_W, kRadius_m));
+                deepest = worse(deepest, find_depth(*mesh, at_W, kBall_m));
             }
         }
         n_leaks += proxy.contact().position_W.norm() < 0.96 * kBodyRadius_m ? 1 : 0;
@@ -60,83 +60,85 @@ Finding slide_along_crack(double crack_m) {
             std::to_string(n_leaks) + " of " + std::to_string(kSlides) + " slides leaked"};
 }
 
-struct Passes {
-    double worst_m = 0.0;
-    int n_met = 0;
-    int n = 0;
-    [[nodiscard]] Finding finding() const {
-        return {worst_m, 1.0e-9,
-                std::to_string(n_met) + " of " + std::to_string(n) + " passes met the plate"};
-    }
-};
+constexpr double kRadius_m = 1.0e-3;
+constexpr int kPasses = 200;
 
-// How far the ball's middle is over the wrong side of a plate's plane, or nearer to the plate than its radius.
-double find_fault_m(const Vector3& at_B, double side, const Vector3& half_m, double radius_m) {
-    const Vector3 beyond = (at_B.cwiseAbs() - half_m).cwiseMax(0.0);
-    const bool is_over = std::abs(at_B.x()) < half_m.x() && std::abs(at_B.z()) < half_m.z();
-    const double wrong_m = is_over ? -side * at_B.y() : 0.0;
-    return std::max(radius_m - beyond.norm(), wrong_m);
-}
+// Passes of a ball and a plate, each from the side on which the ball comes over it.
+class Passes {
+  public:
+    explicit Passes(double thickness_m) : half_m_(0.1, 0.5 * thickness_m, 0.1) {}
+    [[nodiscard]] const Vector3& half_m() const { return half_m_; }
+    void begin() {
+        n_met_ += met_ ? 1 : 0;
+        side_ = 0.0;
+        met_ = false;
+    }
+    // The ball's middle in the plate's frame. The side on which it came over the plate is where it stays while over it, and nowhere is it nearer than
+    // its radius.
+    void see(const Vector3& at_B, const ProxyContact& contact) {
+        const bool is_over = std::abs(at_B.x()) < half_m_.x() && std::abs(at_B.z()) < half_m_.z();
+        side_ = !is_over ? 0.0 : side_ == 0.0 ? (at_B.y() < 0.0 ? -1.0 : 1.0) : side_;
+        const Vector3 beyond = (at_B.cwiseAbs() - half_m_).cwiseMax(0.0);
+        const double wrong_m = is_over ? -side_ * at_B.y() : 0.0;
+        worst_m_ = worse(worst_m_, std::max(kRadius_m - beyond.norm(), wrong_m));
+        met_ = met_ || contact.n_constraints > 0;
+    }
+    [[nodiscard]] Finding finding() {
+        begin();
+        return {worst_m_, 1.0e-9, describe("%d of %d passes met the plate", n_met_, kPasses)};
+    }
+
+  private:
+    Vector3 half_m_;
+    double side_ = 0.0;
+    bool met_ = false;
+    double worst_m_ = 0.0;
+    int n_met_ = 0;
+};
 
 // The hand goes through at 5 m/s from any side, slanting, and comes back.
 Finding shoot_through(double thickness_m) {
-    constexpr double kRadius_m = 1.0e-3;
-    const Vector3 half(0.1, 0.5 * thickness_m, 0.1);
-    const auto mesh = touchable(make_box(2.0 * half));
+    Passes passes(thickness_m);
+    const auto mesh = touchable(make_box(2.0 * passes.half_m()));
     Random random(51);
-    Passes passes;
-    for (; passes.n < 200; ++passes.n) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+        passes.begin();
         const Vector3 from_W = 0.25 * random.direction();
-        const Vector3 way = (0.7 * half.cwiseProduct(random.in_cube()) - from_W).normalized();
+        const Vector3 way =
+            (0.7 * passes.half_m().cwiseProduct(random.in_cube()) - from_W).normalized();
         VirtualProxy proxy = make_ball(mesh, kRadius_m);
         proxy.reset(from_W);
-        bool met = false;
-        double side = 0.0;
         for (int i = 1; i <= 200; ++i) {
             const ProxyContact& contact =
                 proxy.step(from_W + 0.005 * std::min(i, 200 - i) * way, {});
-            const Vector3& at_W = contact.position_W;
-            // The side on which it came over the plate is where it stays while over it.
-            const bool is_over = std::abs(at_W.x()) < half.x() && std::abs(at_W.z()) < half.z();
-            side = !is_over ? 0.0 : side == 0.0 ? (at_W.y() < 0.0 ? -1.0 : 1.0) : side;
-            passes.worst_m = worse(passes.worst_m, find_fault_m(at_W, side, half, kRadius_m));
-            met = met || contact.n_constraints > 0;
+            passes.see(contact.position_W, contact);
         }
-        passes.n_met += met ? 1 : 0;
     }
     return passes.finding();
 }
 
 // A plate flies and turns through a still hand at up to 5 m/s.
 Finding fly_through(double thickness_m, double turn_rad_per_s) {
-    constexpr double kRadius_m = 1.0e-3;
-    const Vector3 half(0.1, 0.5 * thickness_m, 0.1);
-    const auto mesh = touchable(make_box(2.0 * half));
+    Passes passes(thickness_m);
+    const auto mesh = touchable(make_box(2.0 * passes.half_m()));
     Random random(52);
-    Passes passes;
-    for (; passes.n < 200; ++passes.n) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+        passes.begin();
         const Quaternion turn = random.turn(3.0);
         const Vector3 axis = random.direction();
         const Vector3 velocity = (0.5 + 2.25 * (1.0 + random.uniform())) * random.direction();
-        const Vector3 place_B = 0.7 * half.cwiseProduct(random.in_cube());
+        const Vector3 place_B = 0.7 * passes.half_m().cwiseProduct(random.in_cube());
         const auto pose_at = [&](double t_s) {
             const Quaternion now = Quaternion(AngleAxis(turn_rad_per_s * t_s, axis)) * turn;
             return Pose{velocity * t_s - now * place_B, now};
         };
         VirtualProxy proxy = make_ball(mesh, kRadius_m, pose_at(-0.1));
         proxy.reset(Vector3::Zero());
-        double side = 0.0;
-        bool met = false;
         for (int i = -99; i <= 100; ++i) {
             const Pose pose = pose_at(1.0e-3 * i);
             const ProxyContact& contact = proxy.step(Vector3::Zero(), std::span(&pose, 1));
-            const Vector3 at_B = pose.inverse() * contact.position_W;
-            const bool is_over = std::abs(at_B.x()) < half.x() && std::abs(at_B.z()) < half.z();
-            side = !is_over ? 0.0 : side == 0.0 ? (at_B.y() < 0.0 ? -1.0 : 1.0) : side;
-            passes.worst_m = worse(passes.worst_m, find_fault_m(at_B, side, half, kRadius_m));
-            met = met || contact.n_constraints > 0;
+            passes.see(pose.inverse() * contact.position_W, contact);
         }
-        passes.n_met += met ? 1 : 0;
     }
     return passes.finding();
 }

@@ -1,17 +1,15 @@
-// A ball as the cursor: grooves, scales, and the nearest place within a body.
+// A ball as the cursor: scales, and the nearest place within a body. Grooves: grooves.cpp.
 #include "haptics/collision/segment_query.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/point/make_obstacle.h"
 #include "haptics/point/plane_constraints.h"
 #include "haptics/point/virtual_proxy.h"
 #include "tests/stability/cases/stability_case.h"
-#include "tests/support/hard_meshes.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,34 +19,6 @@ namespace {
 
 VirtualProxy make_ball(std::shared_ptr<const CollisionMesh> mesh, double radius_m) {
     return VirtualProxy(make_obstacles(SphereShape{radius_m}, only_solid(std::move(mesh))));
-}
-
-// Between two walls the ball's middle is where both are a radius away, or a radius over the hand's foot on one.
-Finding press_into(double opening_deg, int n_strips) {
-    constexpr double kRadius_m = 0.01;
-    const double half_opening = 0.5 * opening_deg * std::numbers::pi / 180.0;
-    const double slope = 0.5 * std::numbers::pi - half_opening;
-    const double bottom_m = kRadius_m / std::sin(half_opening);
-    const auto mesh = touchable(make_trench(slope, n_strips));
-    VirtualProxy proxy = make_ball(mesh, kRadius_m);
-    proxy.reset(Vector3(0.0, 0.9, -0.3));
-    double worst_m = 0.0;
-    for (int i = 0; i < 10000; ++i) {
-        const Vector3 hand_W(0.2 * std::sin(0.011 * i) * std::cos(slope),
-                             0.25 + 0.6 * std::sin(0.003 * i), 0.9 * std::sin(0.0017 * i));
-        // In the frame of the groove's lower tip, raised to where the ball's middle can come.
-        const Vector3 from_tip = hand_W - Vector3(0.0, bottom_m, hand_W.z());
-        const double side = from_tip.x() < 0.0 ? -1.0 : 1.0;
-        const Vector3 up_the_wall(side * std::cos(slope), std::sin(slope), 0.0);
-        const Vector3 normal(-side * std::sin(slope), std::cos(slope), 0.0);
-        Vector3 place_W = hand_W;
-        if (normal.dot(from_tip) < 0.0) {
-            const double up_m = std::max(up_the_wall.dot(from_tip), 0.0);
-            place_W = Vector3(0.0, bottom_m, hand_W.z()) + up_m * up_the_wall;
-        }
-        worst_m = worse(worst_m, (proxy.step(hand_W, {}).position_W - place_W).norm());
-    }
-    return {worst_m, 2.0e-10 * mesh->radius_m() / std::sin(half_opening), ""};
 }
 
 // The same hand over bodies of other sizes; places are compared in radii.
@@ -135,17 +105,6 @@ Finding slide_inside(int frequency) {
     return {worst, 2.0e-5, std::to_string(mesh->n_triangles()) + " triangles"};
 }
 
-constexpr const char* kFromExact = "distance from the exact place";
-
-const HardCase kRight{{"a ball in a groove of 90 degrees",
-                       "the hand sways below the bottom and up the walls", kFromExact, "m",
-                       [] { return press_into(90.0, 7); }}};
-const HardCase kNarrow{{"a ball in a groove of 10 degrees",
-                        "the hand sways below the bottom and up the walls", kFromExact, "m",
-                        [] { return press_into(10.0, 200); }}};
-const HardCase kNarrowest{{"a ball in a groove of 2 degrees",
-                           "the hand sways below the bottom and up the walls", kFromExact, "m",
-                           [] { return press_into(2.0, 7); }}};
 const HardCase kScales{{"a ball in scenes scaled by 1e-4 to 1e3", "the hand presses a bumpy body",
                         "distance to the hand, of the size, against scale 1", "", scale_scene}};
 const HardCase kCoarse{

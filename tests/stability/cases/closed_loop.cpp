@@ -12,61 +12,33 @@
 namespace fulcrum::stability {
 namespace {
 
-constexpr double kStep_m = 5.5e-5;  // of the arm's encoder
-
-// The lowest and the highest of a number.
-struct Swing {
-    double low = HUGE_VAL;
-    double high = -HUGE_VAL;
-    void take(double value) {
-        low = -worse(-low, -value);
-        high = worse(high, value);
-    }
-    [[nodiscard]] double width() const { return high - low; }
-};
-
-// How much the hand still swings in the last of eleven seconds, pressed on a floor of this stiffness.
 double measure_swing(const HumanImpedance& human, double stiffness, double damping) {
     HapticPlan plan = make_floor_plan();
     plan.coupling.stiffness_N_per_m = stiffness;
     plan.coupling.damping_Ns_per_m = damping;
-    HeldArm held(plan, make_arm_over_floor(human));
-    held.aim(-kFloorPress_m);
-    held.run(10.0);  // near the edge a vibration takes seconds to go
-    Swing swing;
-    for (int k = 0; k < 1000; ++k) {
-        held.step();
-        swing.take(held.height_m());
-    }
-    // It must lie on the floor, which is as thick as a step of the encoder.
-    return swing.high < kStep_m ? swing.width() : HUGE_VAL;
+    return stability::measure_swing(plan, human);
 }
 
 Finding press_at_the_edge() {
-    double worst_m = 0.0;
-    std::string where;
-    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+    Finding finding{0.0, z_width::kCalmSteps * kEncoderStep_m, {}};
+    for (const HumanImpedance& human : kHands) {
         for (const double damping : {0.0, 2.0}) {
             const double stiffness = find_stiffness_inside(human, damping);
-            const double swing_m = measure_swing(human, stiffness, damping);
-            if (!(swing_m <= worst_m)) {
-                worst_m = swing_m;
-                where = std::to_string(std::lround(stiffness)) + " N/m, B " +
-                        std::to_string(std::lround(damping)) + " Ns/m";
-            }
+            finding.take(measure_swing(human, stiffness, damping),
+                         describe("%.0f N/m, B %.0f Ns/m", stiffness, damping));
         }
     }
-    return {worst_m, z_width::kCalmSteps * kStep_m, where};
+    return finding;
 }
 
 Finding press_with_the_default() {
+    Finding finding{0.0, z_width::kCalmSteps * kEncoderStep_m, "of three hands"};
     const CouplingSettings coupling;
-    double worst_m = 0.0;
-    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
-        worst_m = std::max(
-            worst_m, measure_swing(human, coupling.stiffness_N_per_m, coupling.damping_Ns_per_m));
+    for (const HumanImpedance& human : kHands) {
+        finding.take(measure_swing(human, coupling.stiffness_N_per_m, coupling.damping_Ns_per_m),
+                     finding.note);
     }
-    return {worst_m, z_width::kCalmSteps * kStep_m, "of three hands"};
+    return finding;
 }
 
 // Rounds of 0.2 to 5 ms, and a gap of 100 ms now and then; the hand presses all the while. Hand and coupling are two
@@ -75,7 +47,7 @@ Finding press_with_the_default() {
 Finding press_under_jitter() {
     const double stiffness = CouplingSettings{}.stiffness_N_per_m;
     double worst = 0.0;
-    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+    for (const HumanImpedance& human : kHands) {
         const double rest_m =
             kFloorPress_m * human.stiffness_N_per_m / (human.stiffness_N_per_m + stiffness);
         std::mt19937_64 random(3);
@@ -212,7 +184,7 @@ Finding let_go_on_a_spring() {
         held.step();
         worst_m = worse(worst_m, (held.arm().position_D() - anchor_W).cwiseAbs().maxCoeff());
     }
-    return {worst_m, z_width::kCalmSteps * kStep_m, "in the fifth second"};
+    return {worst_m, z_width::kCalmSteps * kEncoderStep_m, "in the fifth second"};
 }
 
 const HardCase kEdge{

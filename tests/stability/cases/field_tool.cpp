@@ -6,10 +6,10 @@
 #include "haptics/math/rotation.h"
 #include "haptics/tool/field_sampling.h"
 #include "tests/stability/cases/tool_course.h"
+#include "tests/support/join_meshes.h"
 #include "tests/support/wander.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -154,35 +154,25 @@ Finding fly_at_wall() {
         worst = worse(worst, std::abs(held_N - kClamp_N) / (0.05 * kClamp_N));
         worst = worse(worst, lag_m / 5.0e-4);
         worst = worse(worst, left_m / 1.0e-4);
-        std::array<char, 160> text{};
-        std::snprintf(
-            text.data(), text.size(),
+        note += describe(
             "%.0f m/s: %.3g mm deep, %.3g N held, %.1g m/s, lag %.2g mm, back to %.2g mm; ",
             speed_m_per_s, 1000.0 * tool.deepest_m, held_N, rest_m_per_s, 1000.0 * lag_m,
             1000.0 * left_m);
-        note += text.data();
     }
     return {worst, 1.0, note};
 }
 
 // Sixty-four rings that hang in each other, `n_ring` by `n_tube` squares each.
 TriangleMesh make_tangle(int n_ring, int n_tube) {
-    std::vector<Vector3> corners;
-    std::vector<TriangleCorners> triangles;
+    std::vector<std::pair<TriangleMesh, Pose>> rings;
     const TriangleMesh ring = make_torus(0.02, 0.004, n_ring, n_tube).value();
     Random random(7);
     for (int i = 0; i < 64; ++i) {
         const Quaternion turn(AngleAxis(std::numbers::pi * random.uniform(), random.direction()));
-        const Vector3 place = 0.03 * Vector3(i % 4 - 1.5, i / 4 % 4 - 1.5, i / 16 - 1.5);
-        const auto first = static_cast<std::int32_t>(corners.size());
-        for (const Vector3& corner : ring.vertices_B()) {
-            corners.emplace_back(turn * corner + place);
-        }
-        for (const auto& [a, b, c] : ring.triangles()) {
-            triangles.push_back({a + first, b + first, c + first});
-        }
+        rings.emplace_back(ring,
+                           Pose{0.03 * Vector3(i % 4 - 1.5, i / 4 % 4 - 1.5, i / 16 - 1.5), turn});
     }
-    return TriangleMesh::build(std::move(corners), std::move(triangles)).value();
+    return join_meshes(rings).value();
 }
 
 // The hand wanders through the tangle; the tool comes after as it can, never deeper than it may, and free again it is at the hand.
@@ -262,12 +252,11 @@ Finding rest_in_hand() {
     worst = worse(worst, spring_J / kSpring_J);
     worst = worse(worst, observer.energy().peak_J / kSpring_J);
     worst = worse(worst, tool.touch.n_touching > 100 ? 0.0 : HUGE_VAL);
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(),
-                  "%.0f s: drift %.2g um, %.3g mJ given, %.2g mJ at most, observer's peak %.2g mJ",
-                  seconds, 1.0e6 * drift_m, 1000.0 * given_J, 1000.0 * spring_J,
-                  1000.0 * observer.energy().peak_J);
-    return {worst, 1.0, text.data()};
+    return {
+        worst, 1.0,
+        describe("%.0f s: drift %.2g um, %.3g mJ given, %.2g mJ at most, observer's peak %.2g mJ",
+                 seconds, 1.0e6 * drift_m, 1000.0 * given_J, 1000.0 * spring_J,
+                 1000.0 * observer.energy().peak_J)};
 }
 
 const HardCase kWall{

@@ -13,9 +13,6 @@
 namespace fulcrum::stability {
 namespace {
 
-constexpr double kExact_N = 1.0e-6;
-constexpr int kBlended = 1200;  // steps in which any set of contacts is blended in
-
 Finding spin_god_in_cage() {
     // A cube in a box of 56 mm: its diagonal is 69.
     constexpr double kCage_m = 0.056;
@@ -186,8 +183,7 @@ Finding press_god_at(double size, const Vector3& origin) {
         const ToolFelt felt = watch.step(at(0.0001 * i, 0.005 - 2.0 * deep));
         if (i >= kBlended) {
             const double wanted_N = kGodStiffness_N_per_m * 0.005 * size;
-            watch.demand((felt.felt_W.force - Vector3(0.0, wanted_N, 0.0)).norm() /
-                         (1.0e-6 * wanted_N));
+            watch.demand_felt(felt, {0.0, wanted_N, 0.0}, 1.0e-6 * wanted_N);
         }
     }
     return watch.judge();

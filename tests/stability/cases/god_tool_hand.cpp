@@ -12,9 +12,6 @@
 namespace fulcrum::stability {
 namespace {
 
-constexpr int kBlended = 1200;  // steps in which any set of contacts is blended in
-constexpr double kExact_N = 1.0e-6;
-
 TriangleMesh move_mesh(const TriangleMesh& mesh, const Vector3& by) {
     std::vector<Vector3> vertices = mesh.vertices_B();
     for (Vector3& v : vertices) {
@@ -92,8 +89,7 @@ Finding lie_to_god() {
         for (int i = 0; i < kBlended; ++i) {
             felt = watch.step(pressed);
         }
-        watch.demand((felt.felt_W.force - Vector3(0.0, kGodStiffness_N_per_m * 0.004, 0.0)).norm() /
-                     kExact_N);
+        watch.demand_felt(felt, {0.0, kGodStiffness_N_per_m * 0.004, 0.0});
     }
     return watch.judge();
 }
@@ -122,9 +118,7 @@ Finding stumble_with_god() {
         pressed_s += dt_s;
         // As long as any set of contacts takes to be blended in.
         if (pressed_s > 1.5) {
-            watch.demand(
-                (felt.felt_W.force - Vector3(0.0, kGodStiffness_N_per_m * depth.y(), 0.0)).norm() /
-                kExact_N);
+            watch.demand_felt(felt, {0.0, kGodStiffness_N_per_m * depth.y(), 0.0});
         }
     }
     watch.demand(pressed_s > 10.0);
@@ -155,7 +149,7 @@ Finding wander_with_god() {
         const Vector3 before = scene.god.centre_W();
         const Vector3 handle = corner - depth + Vector3(0.0, 0.0, along_m);
         const ToolFelt felt = watch.step(Pose::at(handle));
-        watch.demand((felt.felt_W.force - kGodStiffness_N_per_m * depth).norm() / kExact_N);
+        watch.demand_felt(felt, kGodStiffness_N_per_m * depth);
         watch.demand(felt.felt_W.torque.norm() / kExact_N);
         // Along it as in free space; across by nothing.
         const Vector3 gone = scene.god.centre_W() - before;
@@ -188,8 +182,8 @@ Finding press_small_god_on_large() {
         const int k = std::max(0, i - kBlended);
         const ToolFelt felt = watch.step(at(0.004 * k, -0.002));
         if (i >= kBlended) {
-            const Vector3 wanted_N(0.0, kGodStiffness_N_per_m * 0.002, 0.0);
-            watch.demand((felt.felt_W.force - wanted_N).norm() / (1.0e-6 * wanted_N.norm()));
+            const double wanted_N = kGodStiffness_N_per_m * 0.002;
+            watch.demand_felt(felt, {0.0, wanted_N, 0.0}, 1.0e-6 * wanted_N);
         }
     }
     watch.demand(watch.n_touching() > kBlended);

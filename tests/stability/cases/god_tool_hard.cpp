@@ -3,6 +3,7 @@
 #include "haptics/math/rotation.h"
 #include "tests/stability/cases/god_watch.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/join_meshes.h"
 #include "tests/support/wander.h"
 
 #include <algorithm>
@@ -12,9 +13,6 @@
 
 namespace fulcrum::stability {
 namespace {
-
-constexpr int kBlended = 1200;  // steps in which any set of contacts is blended in
-constexpr double kExact_N = 1.0e-6;
 
 // A cube between two walls of one metre: pressed down its lower edges hang on both, and it is felt by just its depth; swayed, turned, drawn out.
 Finding press_god_into_groove(double opening_deg, int n_strips) {
@@ -36,8 +34,8 @@ Finding press_god_into_groove(double opening_deg, int n_strips) {
     const double off_m = 1.0e-3 * kGodGap_m / std::sin(half);
     const ToolFelt still = watch.step(pressed);
     watch.demand(std::abs(scene.god.centre_W().y() - rest_m) / off_m);
-    watch.demand((still.felt_W.force - kGodStiffness_N_per_m * Vector3(0.0, 0.005, 0.0)).norm() /
-                 (kGodStiffness_N_per_m * off_m));
+    watch.demand_felt(still, {0.0, kGodStiffness_N_per_m * 0.005, 0.0},
+                      kGodStiffness_N_per_m * off_m);
     for (int i = 0; i < 3000; ++i) {
         const Vector3 sway(0.01 * std::sin(0.011 * i), 0.01 * std::sin(0.003 * i),
                            0.3 * std::sin(0.0017 * i));
@@ -88,7 +86,7 @@ void drag_god_flat(GodWatch& watch, test::GodScene& scene, double width_m, doubl
             watch.step({Vector3(reach_m * std::sin(0.05 * k), rest_m - 0.004, 0.0), held});
         if (i >= kBlended) {
             const double off_N = k < 400 ? kExact_N : fast_off * wanted_N.norm() + kExact_N;
-            watch.demand((felt.felt_W.force - wanted_N).norm() / off_N);
+            watch.demand_felt(felt, wanted_N, off_N);
             watch.demand(felt.felt_W.torque.norm() / (kGodCube_m * off_N));
         }
     }
@@ -110,18 +108,10 @@ Finding drag_god_over_slivers(double width_m, double fast_off) {
 
 // Two bars of one mesh that cross: in the corner between them both are felt by their depth.
 Finding press_god_where_bars_cross() {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
-    for (const Vector3& size_m : {Vector3(0.6, 0.1, 0.4), Vector3(0.1, 0.6, 0.4)}) {
-        const TriangleMesh bar = make_box(size_m).value();
-        const auto first = static_cast<std::int32_t>(vertices.size());
-        vertices.insert(vertices.end(), bar.vertices_B().begin(), bar.vertices_B().end());
-        for (const TriangleCorners& t : bar.triangles()) {
-            triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        }
-    }
-    test::GodScene scene(make_god_cube(), {TriangleMesh::build(vertices, triangles).value()},
-                         of_god_cube());
+    const TriangleMesh bars = join_meshes({{make_box({0.6, 0.1, 0.4}).value(), {}},
+                                           {make_box({0.1, 0.6, 0.4}).value(), {}}})
+                                  .value();
+    test::GodScene scene(make_god_cube(), {bars}, of_god_cube());
     GodWatch watch(scene);
     const double rest_m = 0.05 + 0.5 * kGodCube_m + kGodGap_m;
     const Vector3 corner(rest_m, rest_m, 0.0);
@@ -132,10 +122,7 @@ Finding press_god_where_bars_cross() {
                             -0.05 * std::sin(0.02 * k));
         const ToolFelt felt = watch.step(Pose::at(corner - depth));
         if (i >= kBlended) {
-            watch.demand(
-                (felt.felt_W.force - kGodStiffness_N_per_m * Vector3(depth.x(), depth.y(), 0.0))
-                    .norm() /
-                kExact_N);
+            watch.demand_felt(felt, kGodStiffness_N_per_m * Vector3(depth.x(), depth.y(), 0.0));
             watch.demand(felt.felt_W.torque.norm() / kExact_N);
         }
     }

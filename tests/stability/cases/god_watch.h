@@ -5,9 +5,7 @@
 #include "tests/support/god_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace fulcrum::stability {
@@ -15,6 +13,8 @@ namespace fulcrum::stability {
 inline constexpr double kGodStiffness_N_per_m = 500.0;
 inline constexpr double kGodGap_m = 1.0e-6;
 inline constexpr double kGodCube_m = 0.04;  // its side
+inline constexpr int kBlended = 1200;       // steps in which any set of contacts is blended in
+inline constexpr double kExact_N = 1.0e-6;
 inline constexpr const char* kGodMeasured =
     "what the case asks, of what is allowed; 100: surfaces cross after a step, a force is no "
     "number, "
@@ -68,6 +68,10 @@ class GodWatch {
     }
     void demand(double share) { worst_ = worse(worst_, share); }
     void demand(bool holds) { demand(holds ? 0.0 : 100.0); }
+    /// This force, to within `off_N`.
+    void demand_felt(const ToolFelt& felt, const Vector3& wanted_N, double off_N = kExact_N) {
+        demand((felt.felt_W.force - wanted_N).norm() / off_N);
+    }
     /// The hand has let the tool out: it is where the hand is, and nothing is felt.
     void demand_free(const Pose& handle) {
         ToolFelt felt;
@@ -83,14 +87,12 @@ class GodWatch {
     [[nodiscard]] int n_touching() const { return n_touching_; }
     /// Of all demands the worst; 100 if surfaces crossed after any step, or a force was none, or one too many, or it would not move.
     [[nodiscard]] Finding judge() const {
-        std::array<char, 192> text{};
-        std::snprintf(
-            text.data(), text.size(),
-            "%d of %d steps cross, %d touch, %d felt in the free, at most %.3g N, %.2g of "
-            "what is allowed",
-            n_crossing_, n_steps_, n_touching_, n_felt_free_, most_N_, worst_);
         const bool kept = n_crossing_ + n_standing_ + n_felt_free_ + n_none_ == 0;
-        return {worse(worst_, kept ? 0.0 : 100.0), 1.0, text.data()};
+        return {
+            worse(worst_, kept ? 0.0 : 100.0), 1.0,
+            describe("%d of %d steps cross, %d touch, %d felt in the free, at most %.3g N, %.2g of "
+                     "what is allowed",
+                     n_crossing_, n_steps_, n_touching_, n_felt_free_, most_N_, worst_)};
     }
 
   private:

@@ -43,6 +43,21 @@ void HeldArm::aim_at(const Vector3& position_D) {
     target_.publish(target);
 }
 
+double measure_swing(const HapticPlan& plan, const HumanImpedance& human) {
+    HeldArm held(plan, make_arm_over_floor(human));
+    held.aim(-kFloorPress_m);
+    held.run(10.0);
+    std::array<Swing, 3> swings;
+    for (int k = 0; k < 1000; ++k) {
+        held.step();
+        for (int axis = 0; axis < 3; ++axis) {
+            swings[static_cast<std::size_t>(axis)].take(held.position_m()(axis));
+        }
+    }
+    const double swing_m = worse(worse(swings[0].width(), swings[1].width()), swings[2].width());
+    return swings[1].high < kEncoderStep_m ? swing_m : HUGE_VAL;
+}
+
 HapticPlan make_floor_plan() {
     const auto mesh = make_box(Vector3(2.0, 2.0, 2.0)).and_then([](const TriangleMesh& box) {
         return CollisionMesh::create(box);

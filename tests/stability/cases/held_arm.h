@@ -3,7 +3,10 @@
 
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/loop/haptic_loop.h"
+#include "tests/stability/cases/stability_case.h"
 
+#include <array>
+#include <cmath>
 #include <memory>
 
 namespace fulcrum::stability {
@@ -63,6 +66,24 @@ class HeldArm {
     std::unique_ptr<HapticLoop> loop_;
     double now_s_ = 0.0;
 };
+
+/// The lowest and the highest of a number.
+struct Swing {
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    void take(double value) {
+        low = -worse(-low, -value);
+        high = worse(high, value);
+    }
+    [[nodiscard]] double width() const { return high - low; }
+};
+
+inline constexpr double kEncoderStep_m = 5.5e-5;  ///< of the arm
+inline constexpr std::array kHands{kFingertip, kArm, kPosture};
+
+/// How far the arm still goes to and fro, in any direction, in the last of eleven seconds pressed on the plan's floor, for near the edge a vibration
+/// takes seconds to go; infinite where it does not lie on the floor.
+[[nodiscard]] double measure_swing(const HapticPlan& plan, const HumanImpedance& human);
 
 /// How far below the floor the hand of a case wants to be.
 inline constexpr double kFloorPress_m = 0.004;

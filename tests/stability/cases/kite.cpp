@@ -4,9 +4,7 @@
 #include "tests/stability/cases/stability_case.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -21,12 +19,6 @@ KiteFlightSettings make_settings(KiteShape shape) {
     settings.kite.shape = shape;
     settings.kite.width_m = shape == KiteShape::box ? 0.4 : 0.75;
     return settings;
-}
-
-std::string describe(const char* format, double value) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
 }
 
 // How fast anything of it moves; no number where a step failed.
@@ -91,11 +83,7 @@ Finding fly_on_any_line() {
                 for (int i = 0; i < 8000; ++i) {
                     flight.step(0.01, kHand_W);
                 }
-                const double speed = find_speed_m_per_s(flight);
-                if (!(speed <= finding.worst)) {
-                    finding.note = describe("stretch %g N", stretch_N);
-                }
-                finding.worst = worse(finding.worst, speed);
+                finding.take(find_speed_m_per_s(flight), describe("stretch %g N", stretch_N));
             }
         }
     }

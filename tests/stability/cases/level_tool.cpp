@@ -2,16 +2,13 @@
 // device, ragged time, all sizes. Each presses a cube on something and leaves it: what is felt is a number, never above the clamp, more than nothing
 // while it presses, and exactly nothing before and after; and at no time has the hand been given more energy than it put in and the tool brought along. And a
 // tool that nobody damps falls on things: its energy never grows.
-#include "haptics/geometry/shape.h"
-#include "haptics/math/rotation.h"
-#include "tests/stability/cases/stability_case.h"
+#include "tests/stability/cases/penalty_watch.h"
 #include "tests/support/hard_meshes.h"
-#include "tests/support/tool_scene.h"
+#include "tests/support/join_meshes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -22,7 +19,7 @@
 namespace fulcrum::stability {
 namespace {
 
-constexpr double kClamp_N = 5.0;
+constexpr double kClamp_N = kPenaltyMost_N;
 constexpr double kEdge_m = 0.03;
 constexpr double kMass_kg = 0.02;
 constexpr double kDown_m = 0.016;  // that the hand goes
@@ -40,19 +37,18 @@ struct PressCourse {
     std::function<bool(double)> runs_contact{};  // of a time, by a thread of its own
 };
 
+ImplicitPenaltyPlan make_cube_plan(double size, const TriangleMesh& object) {
+    const Vector3 edges = size * kEdge_m * Vector3::Ones();
+    return make_implicit_penalty_plan(plan_penalty({.tool = make_box(edges).value(),
+                                                    .inertia = make_box_inertia(kMass_kg, edges),
+                                                    .voxel_m = 0.002 * size,
+                                                    .objects = {object},
+                                                    .n_points = 500,
+                                                    .contact = ContactFinding::levels}));
+}
+
 ImplicitPenaltyTool make_pressed(const PressCourse& course) {
-    const Vector3 edges = course.size * kEdge_m * Vector3::Ones();
-    test::ToolScene scene{.tool = make_box(edges).value(),
-                          .inertia = make_box_inertia(kMass_kg, edges),
-                          .method = ToolMethod::implicit_penalty,
-                          .voxel_m = 0.002 * course.size,
-                          .n_points = 500,
-                          .most_force_N = kClamp_N,
-                          .contact = ContactFinding::levels};
-    scene.settings.coupling.shift.stiffness_N_per_m = 500.0;
-    scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.2;
-    ImplicitPenaltyPlan plan =
-        make_implicit_penalty_plan(*test::make_tool_of(scene, {course.object}));
+    ImplicitPenaltyPlan plan = make_cube_plan(course.size, course.object);
     plan.settings.own_rounds = !course.runs_contact;
     return ImplicitPenaltyTool::build(plan).value();
 }
@@ -120,27 +116,16 @@ Finding press_and_leave(const PressCourse& course) {
     double worst = worse(most_N / (1.0001 * kClamp_N), free_N > 0.0 ? 100.0 : 0.0);
     worst = worse(worst, pressed_N > 0.1 ? 0.0 : 100.0);
     worst = worse(worst, given.most_J / find_brought_J(course));
-    std::array<char, 128> text{};
-    std::snprintf(text.data(), text.size(),
-                  "at most %.2g N, pressed %.2g N, free %.1g N, given at most %.2g of %.2g mJ",
-                  most_N, pressed_N, free_N, 1.0e3 * given.most_J, 1.0e3 * find_brought_J(course));
-    return {worst, 1.0, text.data()};
+    return {
+        worst, 1.0,
+        describe("at most %.2g N, pressed %.2g N, free %.1g N, given at most %.2g of %.2g mJ",
+                 most_N, pressed_N, free_N, 1.0e3 * given.most_J, 1.0e3 * find_brought_J(course))};
 }
 
 // A cube on an ideal spring, which nothing damps, is let go askew over an object, and the hand stands still: what it has in motion and in the spring
 // is never more than at first, whatever it falls on, and most of it is there while it falls freely.
 Finding let_go_over(const TriangleMesh& object, double top_m) {
-    const Vector3 edges = kEdge_m * Vector3::Ones();
-    test::ToolScene scene{.tool = make_box(edges).value(),
-                          .inertia = make_box_inertia(kMass_kg, edges),
-                          .method = ToolMethod::implicit_penalty,
-                          .voxel_m = 0.002,
-                          .n_points = 500,
-                          .most_force_N = kClamp_N,
-                          .contact = ContactFinding::levels};
-    scene.settings.coupling.shift.stiffness_N_per_m = 500.0;
-    scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.2;
-    ImplicitPenaltyPlan plan = make_implicit_penalty_plan(*test::make_tool_of(scene, {object}));
+    ImplicitPenaltyPlan plan = make_cube_plan(1.0, object);
     ImplicitPenaltySettings& settings = plan.settings;
     settings.critically_damped = false;
     settings.coupling.shift.damping_Ns_per_m = 0.0;
@@ -173,10 +158,9 @@ Finding let_go_over(const TriangleMesh& object, double top_m) {
     }
     double worst = most_J / at_first_J;
     worst = worse(worst, n_touching > 100 && falling_J > 0.8 * at_first_J ? 0.0 : 100.0);
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), "%.2g mJ at first, touches in %d of 3000 steps",
-                  1.0e3 * at_first_J, n_touching);
-    return {worst, 1.0, text.data()};
+    return {
+        worst, 1.0,
+        describe("%.2g mJ at first, touches in %d of 3000 steps", 1.0e3 * at_first_J, n_touching)};
 }
 
 TriangleMesh make_block(double size = 1.0) {
@@ -185,32 +169,14 @@ TriangleMesh make_block(double size = 1.0) {
 
 // A block along z with twenty slivers of a micrometre in the middle of each side.
 TriangleMesh make_slivered() {
-    constexpr int kSlivers = 20;
-    std::vector<Vector2> corners;
-    for (int side = 0; side < 4; ++side) {
-        const Vector2 out = turn_quarters(Vector2::UnitX(), side);
-        const Vector2 along = turn_quarters(Vector2::UnitY(), side);
-        corners.emplace_back(0.02 * out - 0.02 * along);
-        for (int i = 0; i <= kSlivers; ++i) {
-            corners.emplace_back(0.02 * out + 1.0e-6 * (i - 0.5 * kSlivers) * along);
-        }
-    }
-    return make_prism(corners, 0.1).value();
+    return make_prism(make_slivered_square(0.02), 0.1).value();
 }
 
 // Two bars that cross.
 TriangleMesh make_crossed_bars() {
-    std::vector<Vector3> places;
-    std::vector<TriangleCorners> triangles;
-    for (const Vector3& edges : {Vector3(0.12, 0.04, 0.03), Vector3(0.03, 0.04, 0.12)}) {
-        const TriangleMesh bar = make_box(edges).value();
-        const auto first = static_cast<std::int32_t>(places.size());
-        places.insert(places.end(), bar.vertices_B().begin(), bar.vertices_B().end());
-        for (const TriangleCorners& triangle : bar.triangles()) {
-            triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
-        }
-    }
-    return TriangleMesh::build(std::move(places), triangles).value();
+    return join_meshes({{make_box({0.12, 0.04, 0.03}).value(), {}},
+                        {make_box({0.03, 0.04, 0.12}).value(), {}}})
+        .value();
 }
 
 Finding press_at_all_sizes() {

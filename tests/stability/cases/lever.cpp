@@ -6,9 +6,7 @@
 #include "tests/support/tool_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -80,18 +78,16 @@ Held hold(const Presser& presser, const HumanImpedance& human, double ratio, dou
     }
     held.aim(-0.01);
     held.run(presser.settle_s);
-    double lowest_m = held.height_m();
-    double highest_m = lowest_m;
+    Swing swing;
+    swing.take(held.height_m());
     double force_N = 0.0;
     for (int i = 0; i < 1000; ++i) {
         held.step();
-        lowest_m = std::min(lowest_m, held.height_m());
-        highest_m = std::max(highest_m, held.height_m());
+        swing.take(held.height_m());
         force_N += held.state().applied_W.force.y() / 1000.0;
     }
     // A hand that has lost the lever would be still as well.
-    return held.state().touched_body == 0 ? Held{highest_m - lowest_m, force_N}
-                                          : Held{std::nan(""), 0.0};
+    return held.state().touched_body == 0 ? Held{swing.width(), force_N} : Held{std::nan(""), 0.0};
 }
 
 // The worst of three hands at each ratio.
@@ -99,15 +95,9 @@ Finding find_worst(const Presser& presser, std::initializer_list<double> ratios,
                    double inertia_kg_m2) {
     Finding finding{0.0, kQuiet_m, {}};
     for (const double ratio : ratios) {
-        for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+        for (const HumanImpedance& human : kHands) {
             const Held held = hold(presser, human, ratio, inertia_kg_m2);
-            if (!(held.shaking_m <= finding.worst)) {
-                std::array<char, 48> note{};
-                std::snprintf(note.data(), note.size(), "1 : %g, held with %.3f N", ratio,
-                              held.force_N);
-                finding.note = note.data();
-            }
-            finding.worst = worse(finding.worst, held.shaking_m);
+            finding.take(held.shaking_m, describe("1 : %g, held with %.3f N", ratio, held.force_N));
             // One newton balances the weight; the lever's own friction and slope leave it between these.
             if (!(held.force_N > 0.9 && held.force_N < 1.1)) {
                 finding.worst = std::nan("");

@@ -186,9 +186,8 @@ Finding compare_scenes(const std::vector<std::pair<double, Vector3>>& scenes, do
         off = worse(off, std::abs(there.felt / here.felt - 1.0));
         worst = worse(worst, there.finding.worst);
     }
-    std::array<char, 80> text{};
-    std::snprintf(text.data(), text.size(), "%.4g N; there off by %.2g of it", here.felt, off);
-    return {worse(worst, off / most_off), 1.0, text.data()};
+    return {worse(worst, off / most_off), 1.0,
+            describe("%.4g N; there off by %.2g of it", here.felt, off)};
 }
 
 // A plate of 10 mm comes down on a tool that is held still, at `speed`, pushes it 10 mm before it and goes back.
@@ -226,9 +225,8 @@ Finding meet_plates() {
     Finding all{0.0, 1.0, {}};
     for (const double speed : {0.2, 0.5, 0.8, 2.0, 5.0}) {
         const Finding one = meet_plate(speed, speed < 1.0);
-        std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), "%.1f m/s: worst %.2g; ", speed, one.worst);
-        all = {worse(all.worst, one.worst), 1.0, all.note + text.data()};
+        all = {worse(all.worst, one.worst), 1.0,
+               all.note + describe("%.1f m/s: worst %.2g; ", speed, one.worst)};
     }
     return all;
 }

@@ -6,6 +6,7 @@
 // a single layer that is flipped makes a pocket as deep as it is long, and the tool is held by what lies round it.
 #include "tests/stability/cases/penalty_watch.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/join_meshes.h"
 
 #include <algorithm>
 #include <numbers>
@@ -46,10 +47,7 @@ RoundBall go_round(const TriangleMesh& ball) {
         const double down =
             std::clamp(5.0 * share, 0.0, 1.0) - std::clamp(5.0 * share - 4.0, 0.0, 1.0);
         const double round = 2.0 * std::numbers::pi * std::clamp(1.6 * share - 0.32, 0.0, 0.96);
-        return Pose{
-            (0.09 - 0.04 * down) *
-                Vector3(std::sin(round), std::cos(round), 0.3 * std::sin(3.0 * round)).normalized(),
-            compute_exp(Vector3(0.0, 0.0, -round))};
+        return hold_over_ball(down, round);
     };
     watch.place(handle(0));
     RoundBall course;
@@ -88,27 +86,17 @@ Finding compare_broken(const TriangleMesh& broken, double most_off_N, double mos
     for (std::size_t i = 0; i < whole.away_m.size(); ++i) {
         nearer_m = worse(nearer_m, whole.away_m[i] - other.away_m[i]);
     }
-    std::array<char, 120> text{};
-    std::snprintf(text.data(), text.size(),
-                  "; beside the whole ball off by %.2g N, at most %.2g N, nearer by %.2g mm",
-                  off.mean_N, off.most_N, 1.0e3 * nearer_m);
     double worst = worse(worse(whole.finding.worst, other.finding.worst), off.mean_N / most_off_N);
     worst = worse(worst, nearer_m / most_nearer_m);
-    return {worst, 1.0, other.finding.note + text.data()};
+    return {worst, 1.0,
+            other.finding.note +
+                describe("; beside the whole ball off by %.2g N, at most %.2g N, nearer by %.2g mm",
+                         off.mean_N, off.most_N, 1.0e3 * nearer_m)};
 }
 
 // A bar of 20 mm with a band of slivers, each a micrometre wide, along the middle of each side.
 TriangleMesh make_slivered_bar() {
-    std::vector<Vector2> corners;
-    for (int side = 0; side < 4; ++side) {
-        const Vector2 out = turn_quarters(Vector2::UnitX(), side);
-        const Vector2 along = turn_quarters(Vector2::UnitY(), side);
-        corners.emplace_back(0.01 * out - 0.01 * along);
-        for (int i = -10; i <= 10; ++i) {
-            corners.emplace_back(0.01 * out + 1.0e-6 * i * along);
-        }
-    }
-    return make_prism(corners, 0.06).value();
+    return make_prism(make_slivered_square(0.01), 0.06).value();
 }
 
 // Bar on bar, crosswise, rubbed: the force is the clean bars' own.
@@ -136,31 +124,16 @@ Finding rub_slivers() {
     }
     const Off off = compare_forces(felt_N[0], felt_N[1]);
     constexpr double kOff_N = 0.2;  // points lie elsewhere on the slivered one
-    std::array<char, 80> text{};
-    std::snprintf(text.data(), text.size(), "; off the clean bars' by %.2g N, at most %.2g N",
-                  off.mean_N, off.most_N);
-    return {worse(all.worst, off.mean_N / kOff_N), 1.0, all.note + text.data()};
-}
-
-TriangleMesh join(const std::vector<std::pair<TriangleMesh, Pose>>& parts) {
-    std::vector<Vector3> corners;
-    std::vector<TriangleCorners> triangles;
-    for (const auto& [mesh, pose] : parts) {
-        const auto first = static_cast<std::int32_t>(corners.size());
-        for (const Vector3& corner : mesh.vertices_B()) {
-            corners.push_back(pose * corner);
-        }
-        for (const TriangleCorners& t : mesh.triangles()) {
-            triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-        }
-    }
-    return TriangleMesh::build(std::move(corners), std::move(triangles)).value();
+    return {worse(all.worst, off.mean_N / kOff_N), 1.0,
+            all.note + describe("; off the clean bars' by %.2g N, at most %.2g N", off.mean_N,
+                                off.most_N)};
 }
 
 // Two bars that pass through each other, told as one body; a cube is pressed into the corner between them, and drawn along both.
 Finding press_between_crossing_bars() {
-    const TriangleMesh cross = join({{make_box({0.12, 0.03, 0.06}).value(), Pose{}},
-                                     {make_box({0.03, 0.12, 0.06}).value(), Pose{}}});
+    const TriangleMesh cross = join_meshes({{make_box({0.12, 0.03, 0.06}).value(), {}},
+                                            {make_box({0.03, 0.12, 0.06}).value(), {}}})
+                                   .value();
     const Vector3 size(0.02, 0.02, 0.02);
     PenaltyWatch watch({make_box(size).value(), make_box_inertia(0.05, size), 0.002, {cross}});
     const double corner_m = 0.025;
@@ -191,8 +164,10 @@ Finding drive_into_groove() {
                             Pose{turn * Vector3(side * 0.005, 0.06, 0.0), turn});
     }
     const Vector3 size(0.002, 0.03, 0.03);
-    PenaltyWatch watch(
-        {make_box(size).value(), make_box_inertia(0.05, size), 0.001, {join(plates)}});
+    PenaltyWatch watch({make_box(size).value(),
+                        make_box_inertia(0.05, size),
+                        0.001,
+                        {join_meshes(plates).value()}});
     const auto handle = [](int i) {
         const double in = std::min(1.0, i / 2000.0) - std::clamp(i / 1000.0 - 3.0, 0.0, 1.0);
         return Pose::at({0.0, 0.15 - 0.11 * in, 0.0});

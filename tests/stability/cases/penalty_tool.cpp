@@ -2,13 +2,9 @@
 // sheet between two sheets, a wedge, a bar spun at 20 rad/s in a cage, tools of 1 to 500 g, and a contact thread that stalls for 200 ms. Contact is
 // found by points in fields, and by contact levels of detail (level_contacts.h) with a tolerance of 2.5 %, both as a plan has them; by these on
 // broken meshes too.
-#include "haptics/geometry/shape.h"
-#include "haptics/math/rotation.h"
-#include "haptics/tool/tool_plan.h"
-#include "tests/stability/cases/stability_case.h"
+#include "tests/stability/cases/penalty_watch.h"
 #include "tests/support/gear.h"
 #include "tests/support/hard_meshes.h"
-#include "tests/support/tool_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -22,38 +18,11 @@
 namespace fulcrum::stability {
 namespace {
 
-constexpr double kDt_s = 0.001;
-constexpr double kMost_N = 5.0;
+constexpr double kDt_s = kPenaltyDt_s;
+constexpr double kMost_N = kPenaltyMost_N;
 
-test::ToolScene make_scene(const TriangleMesh& tool, const Inertia& inertia, double voxel_m) {
-    test::ToolScene scene{.tool = tool,
-                          .inertia = inertia,
-                          .method = ToolMethod::implicit_penalty,
-                          .voxel_m = voxel_m,
-                          .n_points = 3000,
-                          .most_force_N = kMost_N};
-    scene.settings.coupling.shift.stiffness_N_per_m = 500.0;
-    scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.2;
-    return scene;
-}
-
-// A tool about its own middle among objects. `voxel_m`: how fine a field is, and twice how near counts.
-using MakeTool = std::unique_ptr<ToolSolver> (*)(const TriangleMesh& tool, const Inertia& inertia,
-                                                 double voxel_m,
-                                                 const std::vector<TriangleMesh>& objects);
-
-std::unique_ptr<ToolSolver> make_by_fields(const TriangleMesh& tool, const Inertia& inertia,
-                                           double voxel_m,
-                                           const std::vector<TriangleMesh>& objects) {
-    return make_tool(*test::make_tool_of(make_scene(tool, inertia, voxel_m), objects));
-}
-
-std::unique_ptr<ToolSolver> make_by_levels(const TriangleMesh& tool, const Inertia& inertia,
-                                           double voxel_m,
-                                           const std::vector<TriangleMesh>& objects) {
-    test::ToolScene scene = make_scene(tool, inertia, voxel_m);
-    scene.contact = ContactFinding::levels;
-    return make_tool(*test::make_tool_of(scene, objects));
+std::unique_ptr<ToolSolver> make(const PenaltyScene& scene) {
+    return make_tool(plan_penalty(scene));
 }
 
 // What a course led to: the worst of its last fifth, in which the hand is still, and of all of it.
@@ -123,11 +92,10 @@ Finding judge(const Rest& rest, double least_N = 0.5) {
     worst = worse(worst, rest.most_N / (1.0001 * kMost_N));
     worst = worse(worst, rest.step_N / 2.0);
     worst = worse(worst, rest.moved && rest.felt_N >= least_N ? 0.0 : 100.0);
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(),
-                  "%.2g N at rest, ripple %.1g N, %.1g mm/s, at most %.2g N, steps of %.2g N",
-                  rest.felt_N, rest.ripple_N, 1.0e3 * rest.speed_m_per_s, rest.most_N, rest.step_N);
-    return {worst, 1.0, text.data()};
+    return {
+        worst, 1.0,
+        describe("%.2g N at rest, ripple %.1g N, %.1g mm/s, at most %.2g N, steps of %.2g N",
+                 rest.felt_N, rest.ripple_N, 1.0e3 * rest.speed_m_per_s, rest.most_N, rest.step_N)};
 }
 
 Finding worse_of(const Finding& a, const Finding& b) {
@@ -140,10 +108,12 @@ std::function<MovingFrame(double)> along(const Vector3& from, const Vector3& to)
     };
 }
 
-Finding wedge_peg_by_turn(MakeTool make) {
-    const auto tool =
-        make(make_peg(0.01, 0.06, 72).value(), make_box_inertia(0.05, {0.02, 0.02, 0.06}), 0.001,
-             {make_bush(0.02, 0.0115, 0.03, 35).value()});
+Finding wedge_peg_by_turn(ContactFinding contact) {
+    const auto tool = make({.tool = make_peg(0.01, 0.06, 72).value(),
+                            .inertia = make_box_inertia(0.05, {0.02, 0.02, 0.06}),
+                            .voxel_m = 0.001,
+                            .objects = {make_bush(0.02, 0.0115, 0.03, 35).value()},
+                            .contact = contact});
     // In, then turned askew by a third of a radian and pressed down on that.
     return judge(run(*tool, 4000, [](double share) {
         const double in = std::min(1.0, 4.0 * share);
@@ -154,26 +124,21 @@ Finding wedge_peg_by_turn(MakeTool make) {
     }));
 }
 
-// Room for all that are near: as a plan has them they are thinned out to some 650.
-std::unique_ptr<ToolSolver> make_with_room(const test::ToolScene& scene,
-                                           const TriangleMesh& object) {
-    ImplicitPenaltyPlan plan = make_implicit_penalty_plan(*test::make_tool_of(scene, {object}));
-    plan.settings.most_near = 4096;
-    return std::make_unique<ImplicitPenaltyTool>(ImplicitPenaltyTool::build(plan).value());
-}
-
-Finding rest_on_a_thousand(MakeTool make) {
+Finding rest_on_a_thousand(ContactFinding contact) {
     const Vector3 size(0.1, 0.01, 0.1);
-    const TriangleMesh plate = make_box(size).value();
-    const TriangleMesh object = make_box({0.2, 0.02, 0.2}).value();
-    const Inertia inertia = make_box_inertia(0.1, size);
-    const auto tool = make == make_by_fields
-                          ? make_with_room(make_scene(plate, inertia, 0.002), object)
-                          : make(plate, inertia, 0.002, {object});
-    const Rest rest = run(*tool, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.01, 0.0}));
+    ImplicitPenaltyPlan plan =
+        make_implicit_penalty_plan(plan_penalty({.tool = make_box(size).value(),
+                                                 .inertia = make_box_inertia(0.1, size),
+                                                 .objects = {make_box({0.2, 0.02, 0.2}).value()},
+                                                 .contact = contact}));
+    // Levels find the same plate by a few pieces; their thousand is below. By fields there is room for all that are near: as a plan has them they are
+    // thinned out to some 650.
+    const bool by_fields = contact == ContactFinding::fields;
+    plan.settings.most_near = by_fields ? 4096 : plan.settings.most_near;
+    auto tool = ImplicitPenaltyTool::build(plan).value();
+    const Rest rest = run(tool, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.01, 0.0}));
     Finding finding = judge(rest);
-    // Levels find the same plate by a few pieces; their thousand is below.
-    if (make == make_by_fields) {
+    if (by_fields) {
         finding.note += ", " + std::to_string(rest.n_near) + " contacts";
         finding.worst = worse(finding.worst, rest.n_near >= 1000 ? 0.0 : 100.0);
     }
@@ -181,11 +146,14 @@ Finding rest_on_a_thousand(MakeTool make) {
 }
 
 // A plate of 2 mm goes in between two of 4 mm that are 3 mm apart, is pressed on one, and on the other.
-Finding slide_between_sheets(MakeTool make) {
+Finding slide_between_sheets(ContactFinding contact) {
     const TriangleMesh sheet = make_box({0.12, 0.004, 0.08}).value();
     const Vector3 size(0.06, 0.002, 0.04);
-    const auto tool =
-        make(make_box(size).value(), make_box_inertia(0.02, size), 0.001, {sheet, sheet});
+    const auto tool = make({.tool = make_box(size).value(),
+                            .inertia = make_box_inertia(0.02, size),
+                            .voxel_m = 0.001,
+                            .objects = {sheet, sheet},
+                            .contact = contact});
     const std::array<MovingFrame, 2> sheets{
         {{Pose::at({0.0, -0.0035, 0.0}), {}}, {Pose::at({0.0, 0.0035, 0.0}), {}}}};
     Finding all{0.0, 1.0, {}};
@@ -207,10 +175,13 @@ Finding slide_between_sheets(MakeTool make) {
 }
 
 // A bar in the square hole of a bush of four sides, which it cannot turn in: the hand turns at 20 rad/s.
-Finding spin_in_cage(MakeTool make) {
+Finding spin_in_cage(ContactFinding contact) {
     const Vector3 size(0.05, 0.008, 0.02);
-    const auto tool = make(make_box(size).value(), make_box_inertia(0.02, size), 0.001,
-                           {make_bush(0.05, 0.03, 0.04, 4).value()});
+    const auto tool = make({.tool = make_box(size).value(),
+                            .inertia = make_box_inertia(0.02, size),
+                            .voxel_m = 0.001,
+                            .objects = {make_bush(0.05, 0.03, 0.04, 4).value()},
+                            .contact = contact});
     const Rest rest = run(*tool, 3000, [](double share) {
         const double angle = 20.0 * 3.0 * share;
         return MovingFrame{{Vector3::Zero(), compute_exp(Vector3(0.0, 0.0, angle))},
@@ -219,20 +190,21 @@ Finding spin_in_cage(MakeTool make) {
     // It is struck about all the time, so nothing rests; it stays within the cage, and the force within the clamp.
     const double away_m = tool->grip_W().position.norm();
     const double clamp_Nm = 1.01 * kMost_N * 0.5 * size.norm();
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), "at most %.2g N and %.2g Nm, %.2g mm off the middle",
-                  rest.most_N, rest.most_Nm, 1.0e3 * away_m);
     double worst = worse(rest.most_N / (1.0001 * kMost_N), rest.most_Nm / clamp_Nm);
     worst = worse(worst, away_m / 0.03);
-    return {rest.moved && rest.most_Nm > 0.5 * clamp_Nm ? worst : 100.0, 1.0, text.data()};
+    return {rest.moved && rest.most_Nm > 0.5 * clamp_Nm ? worst : 100.0, 1.0,
+            describe("at most %.2g N and %.2g Nm, %.2g mm off the middle", rest.most_N,
+                     rest.most_Nm, 1.0e3 * away_m)};
 }
 
-Finding press_light_and_heavy(MakeTool make) {
+Finding press_light_and_heavy(ContactFinding contact) {
     Finding all{0.0, 1.0, {}};
     for (const double mass_kg : {0.001, 0.01, 0.1, 0.5}) {
         const Vector3 size(0.04, 0.02, 0.04);
-        const auto tool = make(make_box(size).value(), make_box_inertia(mass_kg, size), 0.002,
-                               {make_box({0.2, 0.04, 0.2}).value()});
+        const auto tool = make({.tool = make_box(size).value(),
+                                .inertia = make_box_inertia(mass_kg, size),
+                                .objects = {make_box({0.2, 0.04, 0.2}).value()},
+                                .contact = contact});
         const Finding one = judge(run(*tool, 2000, along({0.0, 0.06, 0.0}, {0.0, 0.01, 0.0})));
         all = all.note.empty() ? one : worse_of(all, one);
     }
@@ -242,10 +214,10 @@ Finding press_light_and_heavy(MakeTool make) {
 // The hand slides over a block and off its edge while nothing is told of contact, from 0.5 s to 0.7 s.
 Finding stall_contact_thread() {
     const Vector3 size(0.04, 0.02, 0.04);
-    const ToolPlan plan =
-        *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.01, size), 0.002),
-                            {make_box({0.1, 0.04, 0.1}).value()});
-    ImplicitPenaltyPlan penalty = make_implicit_penalty_plan(plan);
+    ImplicitPenaltyPlan penalty =
+        make_implicit_penalty_plan(plan_penalty({.tool = make_box(size).value(),
+                                                 .inertia = make_box_inertia(0.01, size),
+                                                 .objects = {make_box({0.1, 0.04, 0.1}).value()}}));
     penalty.settings.own_rounds = false;
     auto tool = ImplicitPenaltyTool::build(penalty).value();
     const MovingFrame block;
@@ -278,9 +250,7 @@ Finding stall_contact_thread() {
     // Nor has it given the hand more than the tool may bring along from free space.
     constexpr double kBrought_J = 3.0e-4;  // 10 g at 24 cm/s
     finding.worst = worse(finding.worst, most_given_J / kBrought_J);
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), ", %.2g mJ given", 1.0e3 * most_given_J);
-    finding.note += text.data();
+    finding.note += describe(", %.2g mJ given", 1.0e3 * most_given_J);
     return finding;
 }
 
@@ -297,9 +267,10 @@ Finding rest_loose_on_a_floor() {
                         {at, at + Vector3(0.002, 0.0, 0.0), at + Vector3(0.0, 0.0, 0.002)});
         triangles.push_back({first, first + 1, first + 2});  // they look down
     }
-    const auto tool = make_by_levels(TriangleMesh::build(vertices, triangles).value(),
-                                     make_box_inertia(0.05, {0.08, 0.01, 0.08}), 0.002,
-                                     {make_box({0.2, 0.02, 0.2}).value()});
+    const auto tool = make({.tool = TriangleMesh::build(vertices, triangles).value(),
+                            .inertia = make_box_inertia(0.05, {0.08, 0.01, 0.08}),
+                            .objects = {make_box({0.2, 0.02, 0.2}).value()},
+                            .contact = ContactFinding::levels});
     return judge(run(*tool, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.0, 0.0})));
 }
 
@@ -307,8 +278,10 @@ Finding rest_loose_on_a_floor() {
 // force, and its middle stays out of the ball.
 Finding go_round_broken_ball(const TriangleMesh& ball) {
     const Vector3 size(0.03, 0.03, 0.03);
-    const auto tool =
-        make_by_levels(make_box(size).value(), make_box_inertia(0.05, size), 0.002, {ball});
+    const auto tool = make({.tool = make_box(size).value(),
+                            .inertia = make_box_inertia(0.05, size),
+                            .objects = {ball},
+                            .contact = ContactFinding::levels});
     double nearest_m = HUGE_VAL;
     const Rest rest = run(*tool, 3000, [&](double share) {
         const double down = std::min(1.0, 5.0 * share);
@@ -316,19 +289,13 @@ Finding go_round_broken_ball(const TriangleMesh& ball) {
         if (share > 0.0) {
             nearest_m = std::min(nearest_m, tool->grip_W().position.norm());
         }
-        return MovingFrame{{(0.09 - 0.04 * down) * Vector3(std::sin(round), std::cos(round),
-                                                           0.3 * std::sin(3.0 * round))
-                                                       .normalized(),
-                            compute_exp(Vector3(0.0, 0.0, -round))},
-                           {}};
+        return MovingFrame{hold_over_ball(down, round), {}};
     });
-    std::array<char, 128> text{};
-    std::snprintf(text.data(), text.size(),
-                  "%.2g N at the end, at most %.2g N, no nearer to the middle than %.3g mm",
-                  rest.felt_N, rest.most_N, 1.0e3 * nearest_m);
     double worst = worse(rest.most_N / (1.0001 * kMost_N), 0.04 / nearest_m);
     worst = worse(worst, rest.moved && rest.felt_N > 0.5 ? 0.0 : 100.0);
-    return {worst, 1.0, text.data()};
+    return {worst, 1.0,
+            describe("%.2g N at the end, at most %.2g N, no nearer to the middle than %.3g mm",
+                     rest.felt_N, rest.most_N, 1.0e3 * nearest_m)};
 }
 
 TriangleMesh make_whole_ball() {
@@ -338,9 +305,11 @@ TriangleMesh make_whole_ball() {
 // A case by either way of finding contact.
 struct CasePair {
     CasePair(const std::string& name, const std::string& what, const std::string& measured,
-             Finding (*find)(MakeTool))
-        : by_fields({"penalty " + name, what, measured, "", [=] { return find(make_by_fields); }}),
-          by_levels({"levels " + name, what, measured, "", [=] { return find(make_by_levels); }}) {}
+             Finding (*find)(ContactFinding))
+        : by_fields({"penalty " + name, what, measured, "",
+                     [=] { return find(ContactFinding::fields); }}),
+          by_levels({"levels " + name, what, measured, "",
+                     [=] { return find(ContactFinding::levels); }}) {}
     HardCase by_fields;
     HardCase by_levels;
 };

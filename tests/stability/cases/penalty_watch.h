@@ -12,9 +12,7 @@
 #include "tests/stability/cases/stability_case.h"
 #include "tests/support/tool_scene.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <span>
 #include <vector>
@@ -25,7 +23,7 @@ inline constexpr double kPenaltyDt_s = 0.001;
 inline constexpr double kPenaltyMost_N = 5.0;
 inline constexpr double kPenaltyCoupling_N_per_m = 500.0;
 
-/// A tool about its own middle among objects, found by fields with cells of `voxel_m`.
+/// A tool about its own middle among objects, found by fields with cells of `voxel_m` or by levels; twice that counts as near.
 struct PenaltyScene {
     TriangleMesh tool;
     Inertia inertia{};
@@ -34,6 +32,7 @@ struct PenaltyScene {
     double most_N = kPenaltyMost_N;
     double turn_Nm_per_rad = 0.2;
     int n_points = 3000;
+    ContactFinding contact = ContactFinding::fields;
 };
 
 inline ToolPlan plan_penalty(const PenaltyScene& scene) {
@@ -42,10 +41,18 @@ inline ToolPlan plan_penalty(const PenaltyScene& scene) {
                          .method = ToolMethod::implicit_penalty,
                          .voxel_m = scene.voxel_m,
                          .n_points = scene.n_points,
-                         .most_force_N = scene.most_N};
+                         .most_force_N = scene.most_N,
+                         .contact = scene.contact};
     made.settings.coupling.shift.stiffness_N_per_m = kPenaltyCoupling_N_per_m;
     made.settings.coupling.turn.stiffness_Nm_per_rad = scene.turn_Nm_per_rad;
     return *test::make_tool_of(made, scene.objects);
+}
+
+/// The handle of a cube over a ball of 40 mm, `round` it and turned with it; `down` is 0 far away and 1 deep in it.
+inline Pose hold_over_ball(double down, double round) {
+    return {(0.09 - 0.04 * down) *
+                Vector3(std::sin(round), std::cos(round), 0.3 * std::sin(3.0 * round)).normalized(),
+            compute_exp(Vector3(0.0, 0.0, -round))};
 }
 
 class PenaltyWatch {
@@ -115,17 +122,15 @@ class PenaltyWatch {
         const double clamp_N = coupling.clamp_m * coupling.shift.stiffness_N_per_m;
         const double clamp_Nm = coupling.clamp_rad * coupling.turn.stiffness_Nm_per_rad;
         constexpr double kRounding = 1.0001;
-        std::array<char, 200> text{};
-        std::snprintf(
-            text.data(), text.size(),
-            "felt in %d of %d steps, at most %.3g N, steps of %.2g N, %.2g mJ given, %.2g "
-            "of what is allowed",
-            n_touching_, n_steps_, most_N_, step_N_, 1.0e3 * most_given_J_, worst_);
         double worst = worse(worst_, n_standing_ == 0 && n_bad_ == 0 ? 0.0 : 100.0);
         worst = worse(worst, most_N_ / (kRounding * clamp_N));
         worst = worse(worst, most_Nm_ / (kRounding * clamp_Nm));
         worst = worse(worst, most_given_J_ / energy_J);
-        return {worst, 1.0, text.data()};
+        return {
+            worst, 1.0,
+            describe("felt in %d of %d steps, at most %.3g N, steps of %.2g N, %.2g mJ given, %.2g "
+                     "of what is allowed",
+                     n_touching_, n_steps_, most_N_, step_N_, 1.0e3 * most_given_J_, worst_)};
     }
 
   private:

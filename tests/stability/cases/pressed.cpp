@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <numbers>
 
@@ -176,10 +175,8 @@ Turns measure_turns(const Body& body, const Felt& felt, const Allowed& allowed_d
 }
 
 Finding tell_turns(const Body& body, const Turns& turns, const char* what, double most_deg) {
-    char note[96];
-    std::snprintf(note, sizeof note, "%d triangles; %s by up to %.2f", body.mesh->n_triangles(),
-                  what, most_deg);
-    return {turns.worst_deg, 1.0, note};
+    return {turns.worst_deg, 1.0,
+            describe("%d triangles; %s by up to %.2f", body.mesh->n_triangles(), what, most_deg)};
 }
 
 // More than the facets turn that lie within two ticks' way of the proxy.

@@ -6,7 +6,6 @@
 #include "tests/support/wander.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace fulcrum::stability {
 namespace {
@@ -84,10 +83,8 @@ Finding scale_scene() {
             worst = worse(worst, here);
         }
     }
-    char note[64];
-    std::snprintf(note, sizeof note, "at a scale of %g", worst_scale);
     // Roundings of 2e-16, divided by the angle between neighbours of some 1e-2 and less: no length may be absolute.
-    return {worst, 1.0e-12, note};
+    return {worst, 1.0e-12, describe("at a scale of %g", worst_scale)};
 }
 
 // Doubles resolve 1.8e-12 m at 10 km. The proxy is held 64 roundings of its own and the body's coordinates above each

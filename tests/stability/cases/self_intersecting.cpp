@@ -4,6 +4,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/make_proxy.h"
 #include "tests/stability/cases/stability_case.h"
+#include "tests/support/join_meshes.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
@@ -19,18 +20,8 @@ constexpr int kSteps = 20000;
 
 // A bar along x and one along y, welded into one mesh of two parts that cross about the origin.
 Expected<TriangleMesh> make_cross() {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
-    for (const Vector3& size_m :
-         {Vector3(1.0, 2.0 * kHalf_m, 1.0), Vector3(2.0 * kHalf_m, 1.0, 1.0)}) {
-        const auto bar = make_box(size_m);
-        const auto first = static_cast<std::int32_t>(vertices.size());
-        vertices.insert(vertices.end(), bar->vertices_B().begin(), bar->vertices_B().end());
-        for (const TriangleCorners& t : bar->triangles()) {
-            triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        }
-    }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles));
+    return join_meshes({{make_box({1.0, 2.0 * kHalf_m, 1.0}).value(), {}},
+                        {make_box({2.0 * kHalf_m, 1.0, 1.0}).value(), {}}});
 }
 
 // The hand wanders in and out about the inner corner between the two bars. Free is what lies beyond both: of that, which is

@@ -4,6 +4,7 @@
 #include "tests/stability/cases/stability_case.h"
 #include "tests/support/box_place.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/join_meshes.h"
 #include "tests/support/nearest_point.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
@@ -21,20 +22,6 @@ constexpr double kWidth_m = 1.0e-6;  // of a sliver one metre long
 constexpr int kSlivers = 20;
 constexpr int kSteps = 10000;
 
-// The outline of a square of one metre with a band of slivers in the middle of each side.
-std::vector<Vector2> make_banded_square() {
-    std::vector<Vector2> corners;
-    for (int side = 0; side < 4; ++side) {
-        const Vector2 out = turn_quarters(Vector2::UnitX(), side);
-        const Vector2 along = turn_quarters(Vector2::UnitY(), side);
-        corners.emplace_back(0.5 * out - 0.5 * along);
-        for (int i = 0; i <= kSlivers; ++i) {
-            corners.emplace_back(0.5 * out + kWidth_m * (i - 0.5 * kSlivers) * along);
-        }
-    }
-    return corners;
-}
-
 // A square of which a corner is rounded off by slivers.
 std::vector<Vector2> make_rounded_square() {
     const double radius_m = kWidth_m * kSlivers / (0.5 * std::numbers::pi);
@@ -49,7 +36,7 @@ std::vector<Vector2> make_rounded_square() {
 
 // Across and along the band in the middle of one face, in and out.
 Finding slide_over_band() {
-    GodObject proxy(only_solid(touchable(make_prism(make_banded_square(), 1.0))));
+    GodObject proxy(only_solid(touchable(make_prism(make_slivered_square(0.5), 1.0))));
     const Vector3 start_W(0.8, 0.0, 0.1);
     proxy.reset(start_W);
     BoxPlace place(Vector3::Ones(), start_W);

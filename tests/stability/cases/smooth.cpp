@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace fulcrum::stability {
@@ -60,10 +59,9 @@ Finding slide(double side) {
     // The hand itself goes round by kStep a tick. Before and after, the force is normal to a facet, which is off the ball's normal by
     // no more than the facet's own angle, from outside up to 1/(1 - depth) of it: there it holds the proxy a little longer.
     const double limit_rad = Wanderer::kStep + 2.0 * find_facet_angle(*mesh) / (1.0 - kDepth);
-    char note[96];
-    std::snprintf(note, sizeof note, "the hand's own turn is %.3f degrees, the mean of all %.3f",
-                  to_degrees(Wanderer::kStep), to_degrees(sum_rad / (kSteps - 1)));
-    return {to_degrees(worst_rad), to_degrees(limit_rad), note};
+    return {to_degrees(worst_rad), to_degrees(limit_rad),
+            describe("the hand's own turn is %.3f degrees, the mean of all %.3f",
+                     to_degrees(Wanderer::kStep), to_degrees(sum_rad / (kSteps - 1)))};
 }
 
 constexpr const char* kMeasured = "most that the force turned in a tick";

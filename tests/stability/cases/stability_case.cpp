@@ -1,6 +1,9 @@
 #include "tests/stability/cases/stability_case.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdarg>
+#include <cstdio>
 #include <utility>
 
 namespace fulcrum::stability {
@@ -18,6 +21,15 @@ HardCase::HardCase(CaseDescription description) {
     auto& list = cases();
     const auto place = std::ranges::upper_bound(list, description.name, {}, &CaseDescription::name);
     list.insert(place, std::move(description));
+}
+
+std::string describe(const char* format, ...) {
+    std::array<char, 256> text{};
+    va_list values;
+    va_start(values, format);
+    std::vsnprintf(text.data(), text.size(), format, values);
+    va_end(values);
+    return text.data();
 }
 
 const std::vector<CaseDescription>& all_cases() {

@@ -20,12 +20,22 @@ struct Finding {
     double limit;
     std::string note;  ///< a few words for the table, such as where the worst was; may be empty
     [[nodiscard]] bool holds() const { return worst <= limit; }
+    /// Keeps the worse with its note; no number stays.
+    void take(double value, const std::string& words) {
+        if (!std::isnan(worst) && !(value <= worst)) {
+            worst = value;
+            note = words;
+        }
+    }
 };
 
 /// The larger of two; NaN is worse than anything, and stays.
 [[nodiscard]] inline double worse(double a, double b) {
     return std::isnan(a) || a > b ? a : b;
 }
+
+/// Numbers in words for a note, as std::printf writes them; 255 letters at most.
+[[gnu::format(printf, 1, 2)]] [[nodiscard]] std::string describe(const char* format, ...);
 
 struct CaseDescription {
     std::string name;      ///< unique: "corner of three planes"

@@ -3,7 +3,6 @@
 #include "haptics/voxel/voxelise.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -58,14 +57,12 @@ ToolRest run_course(VoxelTool& tool, int n_steps, const ToolCourse& course) {
 }
 
 std::string tell(const ToolRest& rest) {
-    std::array<char, 192> text{};
-    std::snprintf(text.data(), text.size(),
-                  "%.2g m/s, %.3g N and %.3g Nm felt, ripple %.1g N, %d in the surface, %d inside; "
-                  "let go %.2g mm away, %.2g N",
-                  rest.speed_m_per_s, rest.felt_N, rest.felt_Nm, rest.ripple_N,
-                  static_cast<int>(rest.n_surface), static_cast<int>(rest.n_interior),
-                  1000.0 * rest.left_m, rest.left_N);
-    return text.data();
+    return describe(
+        "%.2g m/s, %.3g N and %.3g Nm felt, ripple %.1g N, %d in the surface, %d inside; "
+        "let go %.2g mm away, %.2g N",
+        rest.speed_m_per_s, rest.felt_N, rest.felt_Nm, rest.ripple_N,
+        static_cast<int>(rest.n_surface), static_cast<int>(rest.n_interior), 1000.0 * rest.left_m,
+        rest.left_N);
 }
 
 Finding judge_rest(const VoxelTool& tool, const ToolRest& rest, const RestDemand& demand) {

@@ -7,7 +7,6 @@
 #include "tests/support/gear.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -89,11 +88,9 @@ Finding judge(const Scene& scene, int n_steps, const std::function<Pose(double)>
         worst = worse(worst, rest.speed_m_per_s / 0.02);
         worst = worse(worst, std::abs(rest.felt_N - rest.clamp_N) / (0.05 * rest.clamp_N));
         worst = worse(worst, rest.went_through || rest.n_touching == 0 ? 100.0 : 0.0);
-        std::array<char, 96> text{};
-        std::snprintf(text.data(), text.size(), "%s%.2g N of %.2g, %.1g mm/s, %d points",
-                      note.empty() ? "" : "; without mass ", rest.felt_N, rest.clamp_N,
-                      1.0e3 * rest.speed_m_per_s, static_cast<int>(rest.n_touching));
-        note += text.data();
+        note += describe("%s%.2g N of %.2g, %.1g mm/s, %d points",
+                         note.empty() ? "" : "; without mass ", rest.felt_N, rest.clamp_N,
+                         1.0e3 * rest.speed_m_per_s, static_cast<int>(rest.n_touching));
     }
     return {worst, 1.0, note};
 }

@@ -57,9 +57,7 @@ Drift spin_for_an_hour(Integrator integrator) {
 }
 
 std::string percent(double share) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g %%", 100.0 * share);
-    return text.data();
+    return describe("%.3g %%", 100.0 * share);
 }
 
 // A symplectic step keeps a nearby energy, which differs by the square of the step: the bound is (h w)^2 / 10 = 1e-5, for

@@ -7,8 +7,8 @@
 #include "haptics/voxel/voxelise.h"
 #include "tests/stability/cases/tool_course.h"
 #include "tests/support/gear.h"
+#include "tests/support/join_meshes.h"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -21,20 +21,13 @@ namespace {
 // Two plates that meet at 20 degrees; a block's edge is driven between them.
 TriangleMesh make_wedge() {
     const double half = 0.1745;
-    std::vector<Vector3> corners;
-    std::vector<TriangleCorners> triangles;
+    std::vector<std::pair<TriangleMesh, Pose>> plates;
     for (const double side : {-1.0, 1.0}) {
-        const TriangleMesh plate = make_box({0.01, 0.12, 0.06}).value();
-        const auto first = static_cast<std::int32_t>(corners.size());
-        const Quaternion turn = compute_exp({0.0, 0.0, -side * half});
-        for (const Vector3& corner : plate.vertices_B()) {
-            corners.emplace_back(turn * corner + Vector3(side * 0.0165, 0.0, 0.0));
-        }
-        for (const auto& [a, b, c] : plate.triangles()) {
-            triangles.push_back({a + first, b + first, c + first});
-        }
+        plates.emplace_back(
+            make_box({0.01, 0.12, 0.06}).value(),
+            Pose{Vector3(side * 0.0165, 0.0, 0.0), compute_exp({0.0, 0.0, -side * half})});
     }
-    return TriangleMesh::build(std::move(corners), std::move(triangles)).value();
+    return join_meshes(plates).value();
 }
 
 Finding press_into_wedge() {
@@ -162,10 +155,8 @@ Finding cross_the_average() {
         const bool is_smooth = averaging == ContactAveraging::smooth;
         worst = worse(worst, jumps.pushed / (is_smooth ? 0.02 : 0.11));
         worst = worse(worst, jumps.felt / (is_smooth ? 0.02 : 0.05));
-        std::array<char, 96> text{};
-        std::snprintf(text.data(), text.size(), "%s: %.2g of the push, %.2g of what is felt; ",
-                      is_smooth ? "smooth" : "beyond", jumps.pushed, jumps.felt);
-        note += text.data();
+        note += describe("%s: %.2g of the push, %.2g of what is felt; ",
+                         is_smooth ? "smooth" : "beyond", jumps.pushed, jumps.felt);
     }
     return {worst, 1.0, note};
 }
