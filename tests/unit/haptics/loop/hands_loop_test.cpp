@@ -38,8 +38,8 @@ struct TwoHands {
         REQUIRE(force_N(first) == Approx(kPulled_N));
         REQUIRE(force_N(second) == Approx(kPulled_N));
     }
-    static double force_N(const Bench& bench) { return bench.device.written_D.force.norm(); }
-    static GatePhase gate(const Bench& bench) { return bench.loop.state().gate; }
+    static double force_N(const Bench& bench) { return bench.written_N().norm(); }
+    static GatePhase gate(const Bench& bench) { return bench.state().gate; }
 
     Bench first{make_weight_plan()};
     Bench second{make_weight_plan()};
@@ -76,10 +76,10 @@ TEST_CASE("hands: a round of several is, to the bit, what each would do alone") 
         two.first.world.carried_force_W = alone.world.carried_force_W = weight;
         two.run(1);
         alone.run(1);
-        REQUIRE(two.first.loop.state().applied_W.force == alone.loop.state().applied_W.force);
-        REQUIRE(two.first.loop.state().tool_twist_W.linear ==
-                alone.loop.state().tool_twist_W.linear);
-        REQUIRE(two.first.loop.state().faults == alone.loop.state().faults);
+        REQUIRE(two.first.state().applied_W.force == alone.state().applied_W.force);
+        REQUIRE(two.first.state().tool_twist_W.linear ==
+                alone.state().tool_twist_W.linear);
+        REQUIRE(two.first.state().faults == alone.state().faults);
     }
     CHECK(TwoHands::force_N(two.first) > 1.9);
     CHECK(TwoHands::force_N(two.second) == 0.0);
@@ -97,7 +97,7 @@ TEST_CASE("hands: a device that fails fades its own force, and the other feels n
             bool is_told = false;
             for (int i = 0; i < kFade + 20; ++i) {
                 two.run(1);
-                is_told = is_told || any(failing.loop.state().faults & fault.told);
+                is_told = is_told || any(failing.state().faults & fault.told);
                 REQUIRE(TwoHands::force_N(other) == Approx(kPulled_N));
                 REQUIRE(TwoHands::gate(other) == GatePhase::open);
             }
@@ -175,8 +175,8 @@ TEST_CASE("hands: a stop that is held holds all steadily, and each hand tells wh
         two.run(kFade + 2);
         for (int i = 0; i < 1000; ++i) {
             two.run(1);
-            REQUIRE(two.first.loop.state().faults == told(held.first, held.second));
-            REQUIRE(two.second.loop.state().faults == told(held.second, held.first));
+            REQUIRE(two.first.state().faults == told(held.first, held.second));
+            REQUIRE(two.second.state().faults == told(held.second, held.first));
             REQUIRE(TwoHands::gate(two.first) == GatePhase::stopped);
             REQUIRE(TwoHands::gate(two.second) == GatePhase::stopped);
             REQUIRE(TwoHands::force_N(two.first) == 0.0);
@@ -186,8 +186,8 @@ TEST_CASE("hands: a stop that is held holds all steadily, and each hand tells wh
         two.first.channels->emergency_stop.release();
         two.second.channels->emergency_stop.release();
         two.run(2);
-        CHECK(two.first.loop.state().faults == Fault::none);
-        CHECK(two.second.loop.state().faults == Fault::none);
+        CHECK(two.first.state().faults == Fault::none);
+        CHECK(two.second.state().faults == Fault::none);
         two.first.channels->rearm.store(true);
         two.run(2);
         CHECK(TwoHands::gate(two.first) == GatePhase::waiting);
@@ -209,8 +209,8 @@ TEST_CASE("hands: a hand's own fault stays told while another holds a stop") {
         two.run(2);
         for (int i = 0; i < 1000; ++i) {
             two.run(1);
-            REQUIRE(stopping.loop.state().faults == Fault::emergency_stop);
-            REQUIRE(failing.loop.state().faults == (Fault::device_read | Fault::other_stopped));
+            REQUIRE(stopping.state().faults == Fault::emergency_stop);
+            REQUIRE(failing.state().faults == (Fault::device_read | Fault::other_stopped));
         }
     }
 }

@@ -1,5 +1,6 @@
-#include "haptics/collision/collision_mesh.h"
+// What is built of a plan, for a device; and which plans are none.
 #include "haptics/geometry/shape.h"
+#include "tests/support/touchable.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -11,33 +12,38 @@
 
 using namespace fulcrum;
 
+namespace {
+
+HapticPlan make_lonely_plan(double scale = 1.0) {
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    plan.workspace.scale = scale;
+    return plan;
+}
+
+DeviceTraits make_encoder(double step_m) {
+    DeviceTraits traits = BenchParts{}.traits;
+    traits.position_resolution_m = step_m;
+    return traits;
+}
+
+}  // namespace
+
 TEST_CASE("haptic loop: what is not in the plan is not built") {
-    ScriptedDevice device;
-    auto channels = std::make_unique<HapticChannels>();
-    const auto names = [&](const HapticPlan& plan) {
-        std::string all;
-        for (const StageInfo& stage : HapticLoop(plan, device, *channels).stages()) {
-            CHECK(stage.rate_Hz == plan.rate_hz);
-            CHECK(stage.bytes > 0);
-            all += std::string(name_of(stage.stage)) + ", ";
-        }
-        return all;
-    };
-    CHECK(names(HapticPlan{}) == "take inputs, read, estimate, limits, write, publish, ");
-    CHECK(names(make_weight_plan()) ==
+    CHECK(Bench(HapticPlan{}).stages() == "take inputs, read, estimate, limits, write, publish, ");
+    HapticPlan plan = make_weight_plan();
+    CHECK(Bench(plan).stages() ==
           "take inputs, read, estimate, forces: weight, passivity, limits, write, publish, ");
-    HapticPlan unwatched = make_weight_plan();
-    unwatched.passivity.on = false;
-    CHECK(names(unwatched) ==
+    plan.passivity.on = false;
+    CHECK(Bench(plan).stages() ==
           "take inputs, read, estimate, forces: weight, limits, write, publish, ");
-    HapticPlan full = make_weight_plan();
-    full.lesson_force = true;
-    full.line = LineFeelSettings{};
-    full.fields = {FieldPlan{FieldKind::magnet}, FieldPlan{FieldKind::viscosity}};
-    full.solids.push_back({0, CollisionMesh::create(*make_box(Vector3(1, 1, 1))).value(), {}});
+    plan.passivity.on = true;
+    plan.lesson_force = true;
+    plan.line = LineFeelSettings{};
+    plan.fields = {FieldPlan{FieldKind::magnet}, FieldPlan{FieldKind::viscosity}};
+    plan.solids = only_solid(touchable(make_box(Vector3(1, 1, 1))));
     RecordRing ring;
-    channels->record = &ring;
-    CHECK(names(full) ==
+    CHECK(Bench(plan, {.record = &ring}).stages() ==
           "take inputs, read, estimate, proxy, forces: coupling, forces: weight, forces: magnet, "
           "forces: viscosity, forces: line, "
           "forces: lesson, passivity, limits, write, publish, record, ");
@@ -45,124 +51,104 @@ TEST_CASE("haptic loop: what is not in the plan is not built") {
 
 TEST_CASE(
     "haptic loop: the god-object is built from the plan's solids and holds the tool on a box") {
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    Pose below;
-    below.position = Vector3(0.0, -0.5, 0.0);
-    plan.solids.push_back({3, CollisionMesh::create(*make_box(Vector3(1, 1, 1))).value(), below});
+    HapticPlan plan = make_lonely_plan();
+    plan.solids =
+        only_solid(touchable(make_box(Vector3(1, 1, 1))), Pose::at(Vector3(0.0, -0.5, 0.0)));
+    plan.solids[0].body = 3;
     REQUIRE(validate(plan));
-    ScriptedDevice device;
-    auto channels = std::make_unique<HapticChannels>();
-    HapticLoop loop(plan, device, *channels);
-    device.pose_D.position = Vector3(0.1, 0.02, 0.1);
+    Bench bench(plan);
+    bench.device.pose_D.position = Vector3(0.1, 0.02, 0.1);
     for (int k = 1; k < 4000; ++k) {
-        device.pose_D.position.y() = std::max(device.pose_D.position.y() - 0.00001, -0.004);
-        loop.step(k * kDt_s);
+        bench.device.pose_D.position.y() =
+            std::max(bench.device.pose_D.position.y() - 0.00001, -0.004);
+        bench.run(1);
     }
-    CHECK(loop.state().touched_body == 3);
-    CHECK(loop.state().proxy_position_W.y() == Approx(0.0).margin(1e-6));
-    CHECK(device.written_D.force.y() == Approx(500.0 * 0.004).epsilon(1e-3));
+    CHECK(bench.state().touched_body == 3);
+    CHECK(bench.state().proxy_position_W.y() == Approx(0.0).margin(1e-6));
+    CHECK(bench.written_N().y() == Approx(500.0 * 0.004).epsilon(1e-3));
 }
 
-TEST_CASE("haptic loop: plans out of range are refused") {
-    CHECK(validate(HapticPlan{}));
-    HapticPlan plan;
-    plan.rate_hz = 500.0;
-    REQUIRE_FALSE(validate(plan));
-    CHECK(to_sentence(validate(plan).error()).find("1000 to 5000") != std::string::npos);
-    plan = {};
-    plan.safety.max_force_N = 11.0;
-    CHECK_FALSE(validate(plan));
-    plan = {};
-    plan.workspace.scale = std::numeric_limits<double>::quiet_NaN();
-    CHECK_FALSE(validate(plan));
-    plan = {};
-    plan.workspace.pose_WD.orientation.coeffs() *= 1.1;
-    CHECK_FALSE(validate(plan));
-    plan = {};
-    plan.fields.resize(kMaxFields + 1);
-    CHECK_FALSE(validate(plan));
-    plan = {};
-    plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), 3000.0}};
-    CHECK_FALSE(validate(plan));
-    plan = {};
-    plan.solids.resize(1);
-    CHECK_FALSE(validate(plan));
-    plan = {};
-    plan.velocity_cutoff_hz = 0.0;
-    CHECK_FALSE(validate(plan));
-}
-
-TEST_CASE(
-    "haptic loop: each number of a plan is accepted at its bounds and refused just past them") {
+TEST_CASE("haptic loop: plans out of range are refused, and accepted at their bounds") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto accepts = [](auto change) {
         HapticPlan plan;
         change(plan);
         return validate(plan).has_value();
     };
-    for (const double good : {0.01, 100.0}) {
-        CHECK(accepts([&](HapticPlan& plan) { plan.workspace.scale = good; }));
-    }
-    for (const double bad : {0.0099, 100.1}) {
-        CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.workspace.scale = bad; }));
-    }
-    for (const double good : {1000.0, 5000.0}) {
-        CHECK(accepts([&](HapticPlan& plan) { plan.rate_hz = good; }));
-    }
-    for (const double bad : {999.0, 5001.0}) {
-        CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.rate_hz = bad; }));
-    }
-    CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.passivity.memory_s = 0.0; }));
-    for (const double good : {0.02, 5.0}) {
-        CHECK(accepts([&](HapticPlan& plan) { plan.weight_onset_s = good; }));
-    }
-    for (const double bad : {0.0199, 5.01}) {
-        CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.weight_onset_s = bad; }));
-    }
-    const auto turned = [&](double length) {
-        return accepts(
-            [&](HapticPlan& plan) { plan.workspace.pose_WD.orientation.coeffs() *= length; });
+    CHECK(validate(HapticPlan{}));
+    struct Number {
+        const char* name;
+        double& (*of)(HapticPlan& plan);
+        double good[2], bad[3];
     };
-    CHECK(turned(1.0 + 1e-10));
-    CHECK_FALSE(turned(1.0 + 1e-8));
-    CHECK_FALSE(turned(1.0 - 1e-8));
+    for (const Number& number :
+         {Number{"scale",
+                 [](HapticPlan& p) -> double& { return p.workspace.scale; },
+                 {0.01, 100.0},
+                 {0.0099, 100.1, nan}},
+          Number{"rate",
+                 [](HapticPlan& p) -> double& { return p.rate_hz; },
+                 {1000.0, 5000.0},
+                 {999.0, 5001.0, 500.0}},
+          Number{"onset",
+                 [](HapticPlan& p) -> double& { return p.weight_onset_s; },
+                 {0.02, 5.0},
+                 {0.0199, 5.01, nan}},
+          Number{"force",
+                 [](HapticPlan& p) -> double& { return p.safety.max_force_N; },
+                 {0.5, 10.0},
+                 {0.49, 11.0, nan}}}) {
+        CAPTURE(number.name);
+        for (const double value : number.good) {
+            CHECK(accepts([&](HapticPlan& plan) { number.of(plan) = value; }));
+        }
+        for (const double value : number.bad) {
+            CHECK_FALSE(accepts([&](HapticPlan& plan) { number.of(plan) = value; }));
+        }
+    }
+    CHECK_FALSE(accepts([](HapticPlan& plan) { plan.fields.resize(kMaxFields + 1); }));
+    CHECK_FALSE(accepts([](HapticPlan& plan) {
+        plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), 3000.0}};
+    }));
+    CHECK_FALSE(accepts([](HapticPlan& plan) { plan.solids.resize(1); }));
+    CHECK_FALSE(accepts([](HapticPlan& plan) { plan.velocity_cutoff_hz = 0.0; }));
+    CHECK_FALSE(accepts([](HapticPlan& plan) { plan.passivity.memory_s = 0.0; }));
+    for (const double length : {1.1, 1.0 + 1e-8, 1.0 - 1e-8, 1.0 + 1e-10}) {
+        CHECK(accepts([&](HapticPlan& plan) {
+                  plan.workspace.pose_WD.orientation.coeffs() *= length;
+              }) == (length == 1.0 + 1e-10));
+    }
+    HapticPlan slow;
+    slow.rate_hz = 500.0;
+    CHECK(to_sentence(validate(slow).error()).find("1000 to 5000") != std::string::npos);
 }
 
 TEST_CASE("haptic loop: a device too coarse for the plan's scale is refused") {
     HapticPlan plan;
     plan.workspace.scale = 100.0;
-    DeviceTraits traits;
-    CHECK(validate(plan, traits));
-    traits.position_resolution_m = 0.001;  // a tenth of a metre a step
-    CHECK(validate(plan, traits));
-    traits.position_resolution_m = 0.00101;
-    REQUIRE_FALSE(validate(plan, traits));
-    CHECK(to_sentence(validate(plan, traits).error()).find("resolution") != std::string::npos);
+    CHECK(validate(plan, DeviceTraits{}));
+    CHECK(validate(plan, make_encoder(0.001)));  // a tenth of a metre a step
+    const auto refused = validate(plan, make_encoder(0.00101));
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("resolution") != std::string::npos);
     plan.rate_hz = 500.0;
-    traits.position_resolution_m = 0.0;
-    CHECK_FALSE(validate(plan, traits));
+    CHECK_FALSE(validate(plan, make_encoder(0.0)));
 }
 
 TEST_CASE("haptic loop: velocity is estimated with the device's own step, in the world's metres") {
     constexpr double kStep_m = 0.001;
     constexpr double kScale = 5.0;
-    ScriptedDevice device;
-    device.traits_.position_resolution_m = kStep_m;
-    auto channels = std::make_unique<HapticChannels>();
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    plan.workspace.scale = kScale;
-    HapticLoop loop(plan, device, *channels);
+    Bench bench(make_lonely_plan(kScale), {.traits = make_encoder(kStep_m)});
     VelocitySettings settings;
     settings.noise_bound_m = kStep_m * kScale;
     VelocityEstimator estimator(settings);
     for (int k = 1; k < 500; ++k) {
         // 0.3 m/s, counted in whole steps.
-        device.pose_D.position.x() = kStep_m * std::floor(0.3 * k);
-        loop.step(k * kDt_s);
+        bench.device.pose_D.position.x() = kStep_m * std::floor(0.3 * k);
+        bench.run(1);
         const Vector3& expected =
-            estimator.step(Vector3(kScale * device.pose_D.position.x(), 0, 0), k * kDt_s);
-        REQUIRE(loop.state().tool_twist_W.linear == expected);
+            estimator.step(Vector3(kScale * bench.device.pose_D.position.x(), 0, 0), bench.now_s);
+        REQUIRE(bench.state().tool_twist_W.linear == expected);
         if (k > 20) {
             REQUIRE(expected.x() == Approx(kScale * 0.3).epsilon(0.5));
         }
@@ -171,66 +157,81 @@ TEST_CASE("haptic loop: velocity is estimated with the device's own step, in the
 
 TEST_CASE("haptic loop: a Kalman filter sees the same hand at every scale of the workspace") {
     constexpr double kScale = 5.0;
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    plan.velocity_method = VelocityMethod::kalman;
-    ScriptedDevice device;
-    device.traits_.position_resolution_m = 5.5e-5;
-    auto channels = std::make_unique<HapticChannels>();
-    auto scaled_channels = std::make_unique<HapticChannels>();
-    HapticLoop loop(plan, device, *channels);
-    plan.workspace.scale = kScale;
-    HapticLoop scaled(plan, device, *scaled_channels);
+    constexpr double kStep_m = 5.5e-5;
+    const auto make = [](double scale) {
+        HapticPlan plan = make_lonely_plan(scale);
+        plan.velocity_method = VelocityMethod::kalman;
+        return plan;
+    };
+    Bench plain(make(1.0), {.traits = make_encoder(kStep_m)});
+    Bench scaled(make(kScale), {.traits = make_encoder(kStep_m)});
     for (int k = 1; k < 500; ++k) {
-        device.pose_D.position.x() = 5.5e-5 * std::round(200.0 * std::sin(0.02 * k));
-        loop.step(k * kDt_s);
-        scaled.step(k * kDt_s);
+        for (Bench* bench : {&plain, &scaled}) {
+            bench->device.pose_D.position.x() = kStep_m * std::round(200.0 * std::sin(0.02 * k));
+            bench->run(1);
+        }
         // The first guess of the speed alone is not scaled.
         if (k > 50) {
             REQUIRE(scaled.state().tool_twist_W.linear.x() ==
-                    Approx(kScale * loop.state().tool_twist_W.linear.x()).margin(1e-6));
+                    Approx(kScale * plain.state().tool_twist_W.linear.x()).margin(1e-6));
         }
     }
 }
 
-TEST_CASE("haptic loop: the device's own torque limit holds when it is the smaller one") {
-    HapticPlan plan;
+TEST_CASE("haptic loop: the device's own limits hold where they are the smaller ones") {
+    HapticPlan plan = make_weight_plan();
     plan.lesson_force = true;
-    ScriptedDevice device;
-    device.traits_.max_torque_Nm = 0.1;
-    auto channels = std::make_unique<HapticChannels>();
-    HapticLoop loop(plan, device, *channels);
-    ForceCommand command;
-    command.lesson_alive = true;
-    for (int k = 1; k < 4000; ++k) {
-        command.stamp_s = command.linearised.stamp_s = k * kDt_s;
-        command.linearised.torque_W.y() = k < 3000 ? 0.0 : 0.25;
-        channels->command.publish(command);
-        loop.step(k * kDt_s);
+    struct Limits {
+        double device_N, device_Nm;
+        Vector3 felt_N;
+        double felt_Nm;
+    };
+    // One that renders no torque is sent none, and its force is as ever.
+    for (const Limits& limits :
+         {Limits{2.0, 0.1, {0.0, -2.0, 0.0}, 0.1}, Limits{100.0, 0.0, {0.0, -4.0, 0.0}, 0.0}}) {
+        CAPTURE(limits.device_N, limits.device_Nm);
+        DeviceTraits traits = BenchParts{}.traits;
+        traits.max_force_N = limits.device_N;
+        traits.max_torque_Nm = limits.device_Nm;
+        Bench bench(plan, {.traits = traits});
+        for (int k = 1; k < 4000; ++k) {
+            const bool is_on = k >= 3000;
+            bench.command.linearised.stamp_s = bench.now_s + kDt_s;
+            bench.command.linearised.torque_W.y() = is_on ? 0.25 : 0.0;
+            bench.world.carried_force_W.y() = is_on ? -4.0 : 0.0;
+            bench.run(1);
+            REQUIRE(bench.device.written_D.torque.norm() <= limits.device_Nm);
+        }
+        CHECK((bench.written_N() - limits.felt_N).norm() < 1e-6);
+        CHECK(bench.device.written_D.torque.y() == Approx(limits.felt_Nm));
+        CHECK(bench.state().commanded_W.force.norm() == Approx(4.0));
+        CHECK((bench.state().commanded_W.torque.norm() == 0.0) == (limits.device_Nm == 0.0));
     }
-    CHECK(device.written_D.torque.y() == Approx(0.1));
 }
 
 TEST_CASE("haptic loop: what a plan is when nobody says otherwise") {
     const HapticPlan plan;
-    CHECK(plan.rate_hz == 1000.0);
-    CHECK(plan.weight_onset_s == 0.3);
-    CHECK(plan.velocity_cutoff_hz == 80.0);
-    CHECK(plan.coupling.stiffness_N_per_m == 500.0);
-    CHECK(plan.coupling.damping_Ns_per_m == 9.5);
+    const std::pair<double, double> defaults[] = {{plan.rate_hz, 1000.0},
+                                                  {plan.weight_onset_s, 0.3},
+                                                  {plan.velocity_cutoff_hz, 80.0},
+                                                  {plan.coupling.stiffness_N_per_m, 500.0},
+                                                  {plan.coupling.damping_Ns_per_m, 9.5},
+                                                  {plan.passivity.handle_mass_kg, kHandleMass_kg},
+                                                  {plan.passivity.headroom_J, 1.0e-4},
+                                                  {plan.passivity.memory_s, 0.1},
+                                                  {plan.safety.max_force_N, 5.0},
+                                                  {plan.safety.max_torque_Nm, 0.3},
+                                                  {plan.safety.max_slew_N_per_s, 500.0},
+                                                  {plan.safety.engage_below_N, 0.2},
+                                                  {plan.safety.engage_cycles, 5},
+                                                  {plan.safety.soft_start_N_per_s, 5.0},
+                                                  {plan.safety.soft_start_s, 2.0},
+                                                  {plan.safety.fade_s, 0.1},
+                                                  {plan.safety.command_timeout_s, 0.1},
+                                                  {plan.safety.device_timeout_s, 0.02},
+                                                  {plan.safety.max_hand_speed_m_per_s, 10.0}};
+    for (const auto& [is, should_be] : defaults) {
+        CHECK(is == should_be);
+    }
     CHECK(plan.passivity.on);
-    CHECK(plan.passivity.handle_mass_kg == kHandleMass_kg);
-    CHECK(plan.passivity.headroom_J == 1.0e-4);
-    CHECK(plan.passivity.memory_s == 0.1);
-    CHECK(plan.safety.max_force_N == 5.0);
-    CHECK(plan.safety.max_torque_Nm == 0.3);
-    CHECK(plan.safety.max_slew_N_per_s == 500.0);
-    CHECK(plan.safety.engage_below_N == 0.2);
-    CHECK(plan.safety.engage_cycles == 5);
-    CHECK(plan.safety.soft_start_N_per_s == 5.0);
-    CHECK(plan.safety.soft_start_s == 2.0);
-    CHECK(plan.safety.fade_s == 0.1);
-    CHECK(plan.safety.command_timeout_s == 0.1);
-    CHECK(plan.safety.device_timeout_s == 0.02);
-    CHECK(plan.safety.max_hand_speed_m_per_s == 10.0);
 }

@@ -1,5 +1,4 @@
 // How steep a lesson's own force may be in the hand.
-#include "haptics/device/simulated/simulated_hand.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -17,10 +16,9 @@ TEST_CASE("haptic loop: a lesson's slopes are bounded in the hand, by what the f
         double stiffness, damping, torque_slope;
     };
     const auto feel = [](double scale, const std::vector<FieldPlan>& fields) {
-        HapticPlan plan;
+        HapticPlan plan = make_lesson_plan();
         plan.workspace.scale = scale;
         plan.passivity.on = false;  // a hand that leaps is braked as well
-        plan.lesson_force = true;
         plan.fields = fields;
         Bench bench(plan);
         bench.command.fields[0].on = false;
@@ -31,12 +29,11 @@ TEST_CASE("haptic loop: a lesson's slopes are bounded in the hand, by what the f
         bench.run(20);
         bench.device.pose_D.position.x() = 0.0005;
         bench.run(20);
-        const Wrench bent = bench.loop.state().commanded_W;
+        const Wrench bent = bench.state().commanded_W;
         for (int k = 0; k < 20; ++k) {
-            bench.device.pose_D.position.y() += 1e-5;
-            bench.run(1);
+            bench.move(0.0, 1e-5);
         }
-        return Felt{-bent.force.x() / 0.0005, -bench.loop.state().commanded_W.force.y() / 0.01,
+        return Felt{-bent.force.x() / 0.0005, -bench.state().commanded_W.force.y() / 0.01,
                     bent.torque.z() / 0.0005};
     };
     for (const double scale : {1.0, 0.5, 100.0}) {
@@ -62,34 +59,23 @@ TEST_CASE("haptic loop: a lesson's slopes are bounded in the hand, by what the f
 TEST_CASE("haptic loop: a lesson's spring too stiff for the scale does not shake the usual arm") {
     for (const double felt_N_per_m : {500.0, 2000.0, 5000.0, 200000.0}) {
         constexpr double kScale = 100.0;
-        HapticPlan plan;
-        plan.lesson_force = true;
+        HapticPlan plan = make_lesson_plan();
         plan.workspace.scale = kScale;
-        LatestValue<HandTarget> target;
-        SimulatedHand hand(SimulatedHandSettings{}, target);
-        auto channels = std::make_unique<HapticChannels>();
-        HapticLoop loop(plan, hand, *channels);
-        ForceCommand command;
-        command.lesson_alive = true;
+        HandBench bench(plan);
         double lowest_m = 1.0;
         double highest_m = -1.0;
         for (int k = 1; k < 7000; ++k) {
-            // The hand is pushed 5 mm aside for a second.
-            HandTarget wanted;
-            wanted.pose_D.position.x() = k > 3000 && k < 4000 ? 0.005 : 0.0;
-            target.publish(wanted);
-            command.stamp_s = k * kDt_s;
             if (k % 16 == 0) {
-                LinearisedWrench& answer = command.linearised;
-                answer.stamp_s = k * kDt_s;
-                answer.at_position_W = loop.state().tool_pose_W.position;
+                LinearisedWrench& answer = bench.command.linearised;
+                answer.stamp_s = bench.now_s + kDt_s;
+                answer.at_position_W = bench.state().tool_pose_W.position;
                 answer.stiffness_N_per_m = -felt_N_per_m / kScale * Matrix3::Identity();
                 answer.force_W = answer.stiffness_N_per_m * answer.at_position_W;
             }
-            channels->command.publish(command);
-            loop.step(k * kDt_s);
+            // The hand is pushed 5 mm aside for a second.
+            bench.run_to({k > 3000 && k < 4000 ? 0.005 : 0.0, 0.0, 0.0});
             if (k > 5000) {
-                const double x_m = loop.state().tool_pose_W.position.x() / kScale;
+                const double x_m = bench.state().tool_pose_W.position.x() / kScale;
                 lowest_m = std::min(lowest_m, x_m);
                 highest_m = std::max(highest_m, x_m);
             }

@@ -17,20 +17,20 @@ TEST_CASE("haptic loop: a carried weight arrives softly, in full, in the device'
     plan.workspace.scale = 3.0;
     Bench bench(plan);
     bench.run(3000);
-    CHECK(bench.loop.state().gate == GatePhase::open);
+    CHECK(bench.state().gate == GatePhase::open);
     bench.world.carried_force_W = Vector3(0.0, -3.0, 0.0);
     double before_N = 0.0;
     for (int k = 0; k < 301; ++k) {
         bench.run(1);
-        const double now_N = bench.device.written_D.force.norm();
+        const double now_N = bench.written_N().norm();
         REQUIRE(now_N >= before_N - kRounding);
         REQUIRE(now_N - before_N <= 1.875 * 3.0 / plan.weight_onset_s * kDt_s + kRounding);
         before_N = now_N;
     }
     // World down is the device's -x: R^T (0, -3, 0) for a quarter turn about z.
-    CHECK((bench.device.written_D.force - Vector3(-3.0, 0.0, 0.0)).norm() < kRounding);
-    CHECK((bench.loop.state().applied_W.force - Vector3(0.0, -3.0, 0.0)).norm() < kRounding);
-    CHECK((bench.loop.state().commanded_W.force - Vector3(0.0, -3.0, 0.0)).norm() < kRounding);
+    CHECK((bench.written_N() - Vector3(-3.0, 0.0, 0.0)).norm() < kRounding);
+    CHECK((bench.state().applied_W.force - Vector3(0.0, -3.0, 0.0)).norm() < kRounding);
+    CHECK((bench.state().commanded_W.force - Vector3(0.0, -3.0, 0.0)).norm() < kRounding);
 }
 
 TEST_CASE("haptic loop: poses and velocities are scaled and turned into the world") {
@@ -44,7 +44,7 @@ TEST_CASE("haptic loop: poses and velocities are scaled and turned into the worl
         bench.device.buttons = 2;
         bench.run(1);
     }
-    const HapticState& state = bench.loop.state();
+    const HapticState& state = bench.state();
     CHECK((state.tool_pose_W.position - Vector3(1.0, 5.0 * 0.0002 * 99, 0.0)).norm() < kRounding);
     CHECK((state.tool_twist_W.linear - Vector3(0.0, 1.0, 0.0)).norm() < 1e-6);
     CHECK(state.proxy_position_W == state.tool_pose_W.position);
@@ -59,8 +59,7 @@ TEST_CASE("haptic loop: poses and velocities are scaled and turned into the worl
 }
 
 TEST_CASE("haptic loop: fields and a lesson's force add up") {
-    HapticPlan plan;
-    plan.lesson_force = true;
+    HapticPlan plan = make_lesson_plan();
     FieldPlan spring;
     spring.kind = FieldKind::spring;
     spring.stiffness_N_per_m = 100.0;
@@ -81,22 +80,21 @@ TEST_CASE("haptic loop: fields and a lesson's force add up") {
         bench.command.linearised.stamp_s = bench.now_s;
         bench.run(1);
     }
-    CHECK((bench.device.written_D.force - Vector3(1.0, 1.0, 0.5)).norm() < 1e-6);
+    CHECK((bench.written_N() - Vector3(1.0, 1.0, 0.5)).norm() < 1e-6);
     bench.command.linearised.stamp_s = bench.now_s + kDt_s;
     bench.command.linearised.force_W.x() = std::numeric_limits<double>::quiet_NaN();
     bench.run(1);
-    CHECK(saw(bench, Fault::command_invalid));
+    CHECK(bench.saw(Fault::command_invalid));
 }
 
 TEST_CASE(
     "haptic loop: a lesson's torque arrives in the device's frame, is capped and fades with it") {
-    HapticPlan plan;
-    plan.lesson_force = true;
+    HapticPlan plan = make_lesson_plan();
     plan.workspace.pose_WD.orientation = compute_exp(Vector3(0.0, 0.0, 1.5707963267948966));
     plan.workspace.scale = 3.0;
     Bench bench(plan);
     bench.run(3000);
-    REQUIRE(bench.loop.state().gate == GatePhase::open);
+    REQUIRE(bench.state().gate == GatePhase::open);
     bench.command.linearised.torque_stiffness_Nm_per_m(1, 0) = 2.0;
     const auto answer = [&](const Vector3& torque_W, int n) {
         bench.command.linearised.torque_W = torque_W;
@@ -110,16 +108,16 @@ TEST_CASE(
     // World up is the device's x: R^T (0, 0.2, 0) for a quarter turn about z. No force comes with it.
     answer(Vector3(0.0, 0.2, 0.0), 200);
     CHECK((bench.device.written_D.torque - Vector3(0.2, 0.0, 0.0)).norm() < kRounding);
-    CHECK(bench.device.written_D.force.norm() == 0.0);
-    CHECK((bench.loop.state().commanded_W.torque - Vector3(0.0, 0.2, 0.0)).norm() < kRounding);
-    CHECK((bench.loop.state().applied_W.torque - Vector3(0.0, 0.2, 0.0)).norm() < kRounding);
+    CHECK(bench.written_N().norm() == 0.0);
+    CHECK((bench.state().commanded_W.torque - Vector3(0.0, 0.2, 0.0)).norm() < kRounding);
+    CHECK((bench.state().applied_W.torque - Vector3(0.0, 0.2, 0.0)).norm() < kRounding);
     // 1 cm of the device towards -y is 3 cm of the world towards +x, worth 0.06 Nm.
     bench.device.pose_D.position.y() = -0.01;
     bench.run(20);
     CHECK((bench.device.written_D.torque - Vector3(0.26, 0.0, 0.0)).norm() < kRounding);
     // Ten times the limit is as much as the limit.
     answer(Vector3(0.0, 3.0, 0.0), 500);
-    CHECK(bench.loop.state().commanded_W.torque.norm() == Approx(plan.safety.max_torque_Nm));
+    CHECK(bench.state().commanded_W.torque.norm() == Approx(plan.safety.max_torque_Nm));
     CHECK(bench.device.written_D.torque.norm() <= plan.safety.max_torque_Nm);
     CHECK((bench.device.written_D.torque - Vector3(0.3, 0.0, 0.0)).norm() < kRounding);
     // The lesson goes silent: after its time the torque falls in a straight line to zero, and stays there.
@@ -132,60 +130,16 @@ TEST_CASE(
         REQUIRE(before_Nm - now_Nm <= 0.3 * kDt_s / plan.safety.fade_s + kRounding);
         before_Nm = now_Nm;
     }
-    CHECK(saw(bench, Fault::command_stale));
+    CHECK(bench.saw(Fault::command_stale));
     CHECK(bench.device.written_D.torque.norm() == 0.0);
-}
-
-TEST_CASE(
-    "haptic loop: a lesson's torque that is not finite is a fault, and none reaches the device") {
-    HapticPlan plan;
-    plan.lesson_force = true;
-    Bench bench(plan);
-    bench.run(3000);
-    bench.command.linearised.stamp_s = bench.now_s + kDt_s;
-    bench.command.linearised.torque_W.y() = std::numeric_limits<double>::infinity();
-    bench.run(1);
-    CHECK(saw(bench, Fault::command_invalid));
-    CHECK(bench.device.written_D.torque.norm() == 0.0);
-}
-
-TEST_CASE("haptic loop: a device that renders no torque is sent none, its force is as ever") {
-    ScriptedDevice device;
-    device.traits_.max_torque_Nm = 0.0;
-    auto channels = std::make_unique<HapticChannels>();
-    HapticPlan plan;
-    plan.lesson_force = true;
-    HapticLoop loop(plan, device, *channels);
-    ForceCommand command;
-    command.lesson_alive = true;
-    for (int k = 1; k < 4000; ++k) {
-        command.stamp_s = command.linearised.stamp_s = k * kDt_s;
-        command.linearised.force_W.x() = k < 3000 ? 0.0 : 0.5;
-        command.linearised.torque_W.y() = k < 3000 ? 0.0 : 0.2;
-        channels->command.publish(command);
-        loop.step(k * kDt_s);
-        REQUIRE(device.written_D.torque.norm() == 0.0);
-    }
-    CHECK(device.written_D.force.x() == Approx(0.5));
-    CHECK(loop.state().commanded_W.torque.norm() == 0.0);
-}
-
-TEST_CASE("haptic loop: the device's own limit holds when it is the smaller one") {
-    ScriptedDevice device;
-    device.traits_.max_force_N = 2.0;
-    auto channels = std::make_unique<HapticChannels>();
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    plan.carries_weight = true;
-    HapticLoop loop(plan, device, *channels);
-    for (int k = 1; k < 4000; ++k) {
-        WorldFrame world;
-        world.carried_force_W = k < 2500 ? Vector3(Vector3::Zero()) : Vector3(0.0, -4.0, 0.0);
-        channels->world.publish(world);
-        loop.step(k * kDt_s);
-    }
-    CHECK(device.written_D.force.norm() == Approx(2.0));
-    CHECK(loop.state().commanded_W.force.norm() == Approx(4.0));
+    // One that is no number is a fault, and none of it reaches the device.
+    Bench spoilt(make_lesson_plan());
+    spoilt.run(3000);
+    spoilt.command.linearised.stamp_s = spoilt.now_s + kDt_s;
+    spoilt.command.linearised.torque_W.y() = std::numeric_limits<double>::infinity();
+    spoilt.run(1);
+    CHECK(spoilt.saw(Fault::command_invalid));
+    CHECK(spoilt.device.written_D.torque.norm() == 0.0);
 }
 
 TEST_CASE("haptic loop: the same input gives the same bits") {
@@ -196,7 +150,7 @@ TEST_CASE("haptic loop: the same input gives the same bits") {
             bench.device.pose_D.position.x() = 0.05 * std::sin(0.003 * k);
             bench.world.carried_force_W.y() = k < 2500 ? 0.0 : -3.0 - 0.3 * (k % 500 == 0);
             bench.run(1);
-            forces.push_back(bench.device.written_D.force.y());
+            forces.push_back(bench.written_N().y());
         }
         return forces;
     };
@@ -206,9 +160,8 @@ TEST_CASE("haptic loop: the same input gives the same bits") {
 }
 
 TEST_CASE("haptic loop: the record keeps what the device told, taken over or not") {
-    Bench bench{HapticPlan{}};
-    auto ring = std::make_unique<RecordRing>();
-    bench.channels->record = ring.get();
+    const auto ring = std::make_unique<RecordRing>();
+    Bench bench(HapticPlan{}, {.record = ring.get()});
     bench.run(10);
     bench.device.age_s = 0.05;
     bench.device.pose_D.position.x() = 0.001;
@@ -221,7 +174,7 @@ TEST_CASE("haptic loop: the record keeps what the device told, taken over or not
     CHECK(round.sample.stamp_s == bench.now_s - 0.05);
     CHECK(round.sample.pose_D.position.x() == 0.001);
     CHECK(round.sample.buttons == 4);
-    CHECK(bench.loop.state().buttons == 0);
+    CHECK(bench.state().buttons == 0);
     // What is no pose is not kept: the record holds the last that was one.
     bench.device.pose_D.position.x() = std::numeric_limits<double>::quiet_NaN();
     bench.run(1);

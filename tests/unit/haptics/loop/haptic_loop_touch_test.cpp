@@ -1,7 +1,5 @@
 // What touches: the proxy's side of the haptic loop.
-#include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/geometry/shape.h"
-#include "haptics/point/make_proxy.h"
 #include "tests/support/touchable.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
@@ -37,58 +35,64 @@ class FloorProxy final : public Proxy {
     ProxyContact contact_;
 };
 
+// A plan whose one solid is the floor.
+HapticPlan make_floor_plan(std::int32_t body = 0, double damping_Ns_per_m = 2.0) {
+    HapticPlan plan;
+    plan.coupling.damping_Ns_per_m = damping_Ns_per_m;
+    plan.solids.push_back({body, nullptr, {}});
+    return plan;
+}
+
+// A hand over the floor, or in it.
+struct FloorBench : Bench {
+    explicit FloorBench(const HapticPlan& plan, double height_m = 0.01)
+        : Bench(plan, {.proxy = std::make_unique<FloorProxy>()}) {
+        device.pose_D.position.y() = height_m;
+    }
+};
+
 }  // namespace
 
 TEST_CASE(
     "haptic loop: a touched solid pushes with the coupling's spring; sliding along it is free") {
-    HapticPlan plan;
-    plan.coupling = {};
+    HapticPlan plan = make_floor_plan(7);
     plan.coupling.stiffness_N_per_m = 400.0;
-    plan.coupling.damping_Ns_per_m = 2.0;
-    plan.solids.push_back({7, nullptr, {}});
-    auto proxy = std::make_unique<FloorProxy>();
-    Bench bench(plan, std::move(proxy));
-    bench.device.pose_D.position = Vector3(0.0, 0.01, 0.0);
+    FloorBench bench(plan);
     bench.run(3000);
-    CHECK(bench.loop.state().touched_body == kNoBody);
-    CHECK(bench.device.written_D.force.norm() == 0.0);
+    CHECK(bench.state().touched_body == kNoBody);
+    CHECK(bench.written_N().norm() == 0.0);
     for (int k = 0; k < 500; ++k) {
         bench.device.pose_D.position.y() =
             std::max(bench.device.pose_D.position.y() - 0.0001, -0.005);
         bench.run(1);
     }
-    CHECK(bench.loop.state().touched_body == 7);
-    CHECK((bench.device.written_D.force - Vector3(0.0, 2.0, 0.0)).norm() < kRounding);
+    CHECK(bench.state().touched_body == 7);
+    CHECK((bench.written_N() - Vector3(0.0, 2.0, 0.0)).norm() < kRounding);
     for (int k = 0; k < 500; ++k) {
-        bench.device.pose_D.position.x() += 0.0001;
-        bench.run(1);
+        bench.move(0.0001);
     }
-    CHECK((bench.device.written_D.force - Vector3(0.0, 2.0, 0.0)).norm() < 1e-6);
+    CHECK((bench.written_N() - Vector3(0.0, 2.0, 0.0)).norm() < 1e-6);
     // Pressing further in at 0.05 m/s adds b v.
     for (int k = 0; k < 50; ++k) {
-        bench.device.pose_D.position.y() -= 0.00005;
-        bench.run(1);
+        bench.move(0.0, -0.00005);
     }
-    CHECK(bench.loop.state().commanded_W.force.y() ==
-          Approx(400.0 * 0.0075 + 2.0 * 0.05).epsilon(1e-6));
+    CHECK(bench.state().commanded_W.force.y() == Approx(400.0 * 0.0075 + 2.0 * 0.05).epsilon(1e-6));
 }
 
 TEST_CASE(
     "haptic loop: with a world the solids stand where the world says, and NaN there is a fault") {
-    HapticPlan plan;
+    HapticPlan plan = make_floor_plan();
     plan.expects_world = true;
-    plan.solids.push_back({0, nullptr, {}});
-    Bench bench(plan, std::make_unique<FloorProxy>());
-    bench.device.pose_D.position = Vector3(0.0, 0.01, 0.0);
+    FloorBench bench(plan);
     bench.run(3000);
-    CHECK(bench.loop.state().touched_body == kNoBody);
+    CHECK(bench.state().touched_body == kNoBody);
     bench.world.solid_poses_W[0].position.y() = 0.012;
     bench.run(10);
-    CHECK(bench.loop.state().touched_body == 0);
-    CHECK(bench.loop.state().proxy_position_W.y() == 0.012);
+    CHECK(bench.state().touched_body == 0);
+    CHECK(bench.state().proxy_position_W.y() == 0.012);
     bench.world.solid_poses_W[0].position.y() = std::numeric_limits<double>::quiet_NaN();
     bench.run(1);
-    CHECK(saw(bench, Fault::command_invalid));
+    CHECK(bench.saw(Fault::command_invalid));
     CHECK(is_finite(bench.device.written_D));
 }
 
@@ -99,15 +103,15 @@ TEST_CASE(
     plan.solids.push_back({0, touchable(make_box(Vector3(0.1, 0.1, 0.1))), {}});
     plan.solids[0].initial_pose_W.position.y() = 1.0;
     plan.solids[0].lets_out = true;
-    Bench bench(plan, make_proxy(plan.proxy, plan.solids, {plan.coupling, 0.001}));
+    Bench bench(plan);
     bench.device.pose_D.position.setZero();
     bench.world.solid_poses_W[0].position.y() = 1.0;
     bench.run(3000);
     bench.world.solid_poses_W[0].position.y() = 0.01;
     ++bench.world.solid_placements[0];
     bench.run(20);
-    CHECK(bench.loop.state().touched_body == kNoBody);
-    CHECK(bench.loop.state().commanded_W.force.norm() == 0.0);
+    CHECK(bench.state().touched_body == kNoBody);
+    CHECK(bench.state().commanded_W.force.norm() == 0.0);
     // Put away and moved there instead.
     bench.world.solid_poses_W[0].position.y() = 0.2;
     ++bench.world.solid_placements[0];
@@ -116,68 +120,47 @@ TEST_CASE(
         bench.world.solid_poses_W[0].position.y() -= 0.001;
         bench.run(1);
     }
-    CHECK(bench.loop.state().touched_body == 0);
-    CHECK(bench.loop.state().commanded_W.force.y() < -1.0);
+    CHECK(bench.state().touched_body == 0);
+    CHECK(bench.state().commanded_W.force.y() < -1.0);
 }
 
 TEST_CASE("haptic loop: a hand that jumps while it touches feels the spring alone at first") {
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    plan.coupling.damping_Ns_per_m = 2.0;
-    plan.solids.push_back({0, nullptr, {}});
-    Bench bench(plan, std::make_unique<FloorProxy>());
-    bench.device.pose_D.position = Vector3(0.0, -0.004, 0.0);
+    FloorBench bench(make_floor_plan(), -0.004);
     for (int k = 0; k < 100; ++k) {
-        bench.device.pose_D.position.x() += 0.0005;
-        bench.run(1);
+        bench.move(0.0005);
     }
-    bench.device.pose_D.position.x() += 0.1;
-    bench.run(1);
-    CHECK(saw(bench, Fault::device_invalid));
-    CHECK((bench.loop.state().commanded_W.force - Vector3(0.0, 500.0 * 0.004, 0.0)).norm() <
-          kRounding);
+    bench.move(0.1);
+    CHECK(bench.saw(Fault::device_invalid));
+    CHECK((bench.state().commanded_W.force - Vector3(0.0, 500.0 * 0.004, 0.0)).norm() < kRounding);
 }
 
 TEST_CASE("haptic loop: a solid that is no body of the scene pushes too") {
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    plan.solids.push_back({kNoBody, nullptr, {}});
-    Bench bench(plan, std::make_unique<FloorProxy>());
-    bench.device.pose_D.position = Vector3(0.0, -0.004, 0.0);
+    FloorBench bench(make_floor_plan(kNoBody), -0.004);
     bench.run(10);
-    CHECK(bench.loop.state().commanded_W.force.y() == Approx(500.0 * 0.004));
-    CHECK(bench.loop.state().touched_body == kNoBody);
+    CHECK(bench.state().commanded_W.force.y() == Approx(500.0 * 0.004));
+    CHECK(bench.state().touched_body == kNoBody);
 }
 
 TEST_CASE("haptic loop: a hand that leaves a solid is not held back by it") {
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    plan.coupling.damping_Ns_per_m = 10.0;
-    plan.solids.push_back({0, nullptr, {}});
-    Bench bench(plan, std::make_unique<FloorProxy>());
-    bench.device.pose_D.position = Vector3(0.0, -0.005, 0.0);
+    FloorBench bench(make_floor_plan(0, 10.0), -0.005);
     bench.run(100);
     for (int k = 0; k < 30; ++k) {
-        bench.device.pose_D.position.y() += 0.0005;
-        bench.run(1);
-        REQUIRE(bench.loop.state().commanded_W.force.y() >= 0.0);
+        bench.move(0.0, 0.0005);
+        REQUIRE(bench.state().commanded_W.force.y() >= 0.0);
     }
 }
 
 TEST_CASE("haptic loop: before the world's first frame the solids stand where the plan says") {
-    HapticPlan plan;
+    HapticPlan plan = make_floor_plan();
     plan.expects_world = true;
-    Pose raised;
-    raised.position.y() = 0.012;
-    plan.solids.push_back({0, nullptr, raised});
-    Bench bench(plan, std::make_unique<FloorProxy>());
+    plan.solids[0].initial_pose_W.position.y() = 0.012;
+    FloorBench bench(plan);
     bench.world_awake = false;
-    bench.device.pose_D.position = Vector3(0.0, 0.01, 0.0);
     bench.run(1);
-    CHECK(bench.loop.state().proxy_position_W.y() == 0.012);
+    CHECK(bench.state().proxy_position_W.y() == 0.012);
     bench.world_awake = true;
     bench.run(1);
-    CHECK(bench.loop.state().proxy_position_W.y() == 0.01);
+    CHECK(bench.state().proxy_position_W.y() == 0.01);
 }
 
 TEST_CASE(
@@ -189,27 +172,20 @@ TEST_CASE(
     handle.damping_Ns_per_m = 0.0;
     for (SimulatedHandSettings held : {handle, SimulatedHandSettings{}}) {
         for (const double rate_Hz : {1000.0, 5000.0}) {
-            HapticPlan plan;
-            plan.expects_lesson = false;
+            HapticPlan plan = make_floor_plan();
+            plan.coupling = {};
             plan.rate_hz = rate_Hz;
-            plan.solids.push_back({0, nullptr, {}});
             held.position_resolution_m = kEncoder_m;
             held.start_pose_D.position.y() = 0.01;
-            LatestValue<HandTarget> target;
-            SimulatedHand hand(held, target);
-            auto channels = std::make_unique<HapticChannels>();
-            HapticLoop loop(plan, hand, *channels, std::make_unique<FloorProxy>());
+            HandBench bench(plan, held, {.proxy = std::make_unique<FloorProxy>()});
             double lowest_m = 1.0;
             double highest_m = -1.0;
             for (int k = 1; k < static_cast<int>(6.0 * rate_Hz); ++k) {
                 const double now_s = k / rate_Hz;
                 // Pressed down with 2 N from 2.5 s on.
-                HandTarget wanted;
-                wanted.pose_D.position.y() = now_s < 2.5 ? 0.01 : -2.0 / held.stiffness_N_per_m;
-                target.publish(wanted);
-                loop.step(now_s);
+                bench.run_to({0.0, now_s < 2.5 ? 0.01 : -2.0 / held.stiffness_N_per_m, 0.0});
                 if (now_s > 5.0) {
-                    const double y_m = loop.state().tool_pose_W.position.y();
+                    const double y_m = bench.state().tool_pose_W.position.y();
                     lowest_m = std::min(lowest_m, y_m);
                     highest_m = std::max(highest_m, y_m);
                 }

@@ -16,28 +16,20 @@ HapticPlan make_line_plan() {
     HapticPlan plan;
     plan.line = LineFeelSettings{};
     plan.line->arm_T = {0.0, 0.05, 0.0};
+    plan.expects_lesson = false;
     return plan;
 }
 
 // A loop that holds a line; the kite's side of it is played here.
-struct LineBench {
-    ScriptedDevice device;
+struct Kite {
     std::unique_ptr<KiteChannels> kite = std::make_unique<KiteChannels>();
-    std::unique_ptr<HapticChannels> channels = std::make_unique<HapticChannels>();
-    HapticLoop loop;
-    double now_s = 0.0;
-
-    explicit LineBench(HapticPlan plan = make_line_plan())
-        : loop((plan.expects_lesson = false, plan), device, with_kite(*channels, *kite)) {}
-    static HapticChannels& with_kite(HapticChannels& channels, KiteChannels& kite) {
-        channels.kite = &kite;
-        return channels;
-    }
+};
+struct LineBench : Kite, Bench {
+    LineBench() : Bench(make_line_plan(), {.kite = kite.get()}) {}
     void run(int n, const Vector3& force_W, const Vector3& hand_W = Vector3::Zero()) {
         for (int i = 0; i < n; ++i) {
-            now_s += kDt_s;
-            kite->line.publish({now_s, hand_W, force_W, 25.0, 20.0});
-            loop.step(now_s);
+            kite->line.publish({now_s + kDt_s, hand_W, force_W, 25.0, 20.0});
+            Bench::run(1);
         }
     }
 };
@@ -48,7 +40,7 @@ TEST_CASE(
     "line stage: the hand feels the line's pull and its torque, and the kite is told of the hand") {
     LineBench bench;
     bench.run(6000, {2.0, 1.0, 0.0});
-    CHECK((bench.device.written_D.force - Vector3(2.0, 1.0, 0.0)).norm() < 1.0e-6);
+    CHECK((bench.written_N() - Vector3(2.0, 1.0, 0.0)).norm() < 1.0e-6);
     CHECK((bench.device.written_D.torque - Vector3(0.0, 0.0, -0.1)).norm() < 1.0e-6);
     REQUIRE(bench.kite->hand_W.take());
     CHECK(bench.kite->hand_W.value() == Vector3::Zero());
@@ -59,29 +51,26 @@ TEST_CASE(
     "nothing") {
     LineBench bench;
     bench.run(6000, {4.0, 0.0, 0.0});
-    REQUIRE(bench.device.written_D.force.norm() > 3.9);
+    REQUIRE(bench.written_N().norm() > 3.9);
     for (int i = 0; i < 300; ++i) {
         bench.device.pose_D.position.x() += 1.0e-4;
         // The pull where the hand is now: less each round.
         bench.run(1, {4.0 - 0.01 * i, 0.0, 0.0}, bench.device.pose_D.position);
     }
     // The world's change comes a seventh of a second late.
-    CHECK(bench.device.written_D.force.x() < 2.1);
+    CHECK(bench.written_N().x() < 2.1);
     // But for what any spring of 25 N/m gives away that is held for a round: k d^2 / 2.
     const double held_J = 300 * 0.5 * 25.0 * 1.0e-8;
-    CHECK(bench.loop.state().force_energy.braked_J < 1.01 * held_J);
+    CHECK(bench.state().force_energy.braked_J < 1.01 * held_J);
 }
 
 TEST_CASE("line stage: a kite's loop that falls silent lets go within its fade") {
     LineBench bench;
     bench.run(6000, {3.0, 0.0, 0.0});
-    CHECK(bench.device.written_D.force.norm() > 2.9);
-    for (int i = 0; i < 250; ++i) {
-        bench.now_s += kDt_s;
-        bench.loop.step(bench.now_s);
-    }
-    CHECK(bench.device.written_D.force.norm() == 0.0);
-    CHECK(bench.loop.state().faults == Fault::none);
+    CHECK(bench.written_N().norm() > 2.9);
+    bench.Bench::run(250);
+    CHECK(bench.written_N().norm() == 0.0);
+    CHECK(bench.state().faults == Fault::none);
 }
 
 TEST_CASE(
@@ -119,13 +108,13 @@ TEST_CASE("line stage: without a kite nothing pulls, and a plan with a bad line 
 TEST_CASE("line stage: a strong pull engages, and comes back after a fault") {
     LineBench bench;
     bench.run(6000, {4.5, 0.0, 0.0});
-    CHECK(bench.device.written_D.force.norm() > 4.4);
+    CHECK(bench.written_N().norm() > 4.4);
     bench.device.gives_pose = false;
     bench.run(500, {4.5, 0.0, 0.0});
-    CHECK(bench.device.written_D.force.norm() == 0.0);
+    CHECK(bench.written_N().norm() == 0.0);
     bench.device.gives_pose = true;
     bench.run(6000, {4.5, 0.0, 0.0});
-    CHECK(bench.device.written_D.force.norm() > 4.4);
+    CHECK(bench.written_N().norm() > 4.4);
 }
 
 TEST_CASE("line stage: of a pose that jumps or is none the kite is not told") {

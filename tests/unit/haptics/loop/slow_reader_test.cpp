@@ -80,9 +80,9 @@ TEST_CASE(
     for (std::uint64_t i = 0; i < kRoundsAsleep; ++i) {
         slow.step();
         alone.step();
-        REQUIRE(slow.bench.device.written_D.force == alone.bench.device.written_D.force);
+        REQUIRE(slow.bench.written_N() == alone.bench.written_N());
         REQUIRE(slow.loop->state().faults == Fault::none);
-        n_pressed += slow.bench.device.written_D.force.y() > 1.0 ? 1 : 0;
+        n_pressed += slow.bench.written_N().y() > 1.0 ? 1 : 0;
     }
     CHECK(n_pressed > kRoundsAsleep / 4);
     // The newest state is the newest.
@@ -122,7 +122,7 @@ TEST_CASE(
                 (i > kRecordRingCapacity ? Fault::record_full : Fault::none));
     }
     CHECK(slow.loop->state().gate == GatePhase::waiting);
-    CHECK(slow.bench.device.written_D.force.norm() == 0.0);
+    CHECK(slow.bench.written_N().norm() == 0.0);
     CHECK(slow.record->dropped() == kRoundsAsleep - kRecordRingCapacity);
     // It wakes: what was kept is the oldest, and nothing is missing in it.
     RecordRound round;
@@ -138,7 +138,7 @@ TEST_CASE(
         slow.step();
         REQUIRE(slow.record->pop(round));
         REQUIRE(round.sample.tick == kRoundsAsleep + i);
-        most_N = std::max(most_N, slow.bench.device.written_D.force.y());
+        most_N = std::max(most_N, slow.bench.written_N().y());
     }
     CHECK(most_N > 1.0);
     CHECK(slow.record->dropped() == n_lost);
