@@ -1,7 +1,7 @@
 // What the loop tells of each effect: together they are what is commanded, and telling changes no force.
-#include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/geometry/shape.h"
-#include "haptics/loop/haptic_loop.h"
+#include "tests/support/touchable.h"
+#include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,21 +15,16 @@ using namespace fulcrum;
 
 namespace {
 
-constexpr double kDt_s = 0.001;
 // A sum of a dozen forces of some newtons, added in another order.
 constexpr double kRounding_N = 1e-12;
 
 HapticPlan make_plan() {
-    HapticPlan plan;
-    plan.carries_weight = true;
-    plan.expects_world = true;
+    HapticPlan plan = make_weight_plan();
     plan.lesson_force = true;
     plan.fields = {FieldPlan{FieldKind::spring, Vector3(0.02, 0.0, 0.0), 40.0, 0.5},
                    FieldPlan{FieldKind::viscosity, Vector3::Zero(), 0.0, 3.0}};
-    SolidPlan ball;
-    ball.shape = CollisionMesh::create(make_sphere(0.05, 8).value()).value();
-    ball.body = 3;
-    plan.solids = {ball};
+    plan.solids = only_solid(touchable(make_sphere(0.05, 8)));
+    plan.solids[0].body = 3;
     return plan;
 }
 
@@ -41,33 +36,18 @@ struct Told {
 
 // A hand goes through the springs into the ball; a weight hangs from a while on.
 Told play(bool is_told) {
-    auto channels = std::make_unique<HapticChannels>();
-    auto ring = std::make_unique<RecordRing>();
-    channels->record = is_told ? ring.get() : nullptr;
-    LatestValue<HandTarget> target;
-    SimulatedHand hand(SimulatedHandSettings{}, target);
-    HapticLoop loop(make_plan(), hand, *channels);
+    const auto ring = std::make_unique<RecordRing>();
+    HandBench bench(make_plan(), {}, {.record = is_told ? ring.get() : nullptr});
+    bench.command.fields[0].anchor_W = make_plan().fields[0].anchor_W;
+    bench.world.solid_poses_W[0] = Pose::at(Vector3(0.0, -0.06, 0.0));
     Told told;
-    told.effects = loop.effects();
+    told.effects = bench.loop.effects();
     for (int k = 0; k < 6000; ++k) {
-        const double now_s = k * kDt_s;
-        ForceCommand command;
-        command.stamp_s = now_s;
-        command.lesson_alive = true;
-        command.fields[0].anchor_W = make_plan().fields[0].anchor_W;
-        command.linearised.stamp_s = now_s;
-        command.linearised.force_W = k > 1000 ? Vector3(0.0, 0.0, 0.3) : Vector3::Zero();
-        channels->command.publish(command);
-        WorldFrame world;
-        world.stamp_s = now_s;
-        world.carried_force_W = k > 3000 ? Vector3(0.0, -1.0, 0.0) : Vector3::Zero();
-        world.solid_poses_W[0] = Pose::at(Vector3(0.0, -0.06, 0.0));
-        channels->world.publish(world);
-        HandTarget wanted;
-        wanted.pose_D.position = 0.02 * Vector3(std::sin(0.003 * k), -std::sin(0.001 * k), 0.0);
-        target.publish(wanted);
-        loop.step(now_s);
-        told.applied_W.push_back(loop.state().applied_W);
+        bench.command.linearised.stamp_s = bench.now_s + kDt_s;
+        bench.command.linearised.force_W.z() = k > 1000 ? 0.3 : 0.0;
+        bench.world.carried_force_W.y() = k > 3000 ? -1.0 : 0.0;
+        bench.run_to(0.02 * Vector3(std::sin(0.003 * k), -std::sin(0.001 * k), 0.0));
+        told.applied_W.push_back(bench.state().applied_W);
         for (RecordRound round; ring->pop(round);) {
             told.rounds.push_back(round);
         }
@@ -127,18 +107,10 @@ TEST_CASE("force shares: asking for them changes no force") {
 }
 
 TEST_CASE("force shares: before the device has given a pose every share is zero, as the force is") {
-    auto channels = std::make_unique<HapticChannels>();
     LatestValue<ForceShares> shares;
-    channels->shares = &shares;
-    struct Mute final : Device {
-        [[nodiscard]] const DeviceTraits& traits() const noexcept override { return traits_; }
-        [[nodiscard]] bool read(double, DeviceReading&) noexcept override { return false; }
-        [[nodiscard]] bool write(double, const Wrench&) noexcept override { return true; }
-        DeviceTraits traits_{};
-    } mute;
-    HapticPlan plan = make_plan();
-    HapticLoop loop(plan, mute, *channels);
-    loop.step(0.0);
+    Bench mute(make_plan(), {.shares = &shares});
+    mute.device.gives_pose = false;
+    mute.run(1);
     REQUIRE(shares.take());
     REQUIRE(shares.value().n == 7);
     for (std::size_t i = 0; i < 7; ++i) {

@@ -1,12 +1,13 @@
 #include "haptics/loop/hands_loop.h"
 
+#include "tests/unit/haptics/loop/device_faults.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 using namespace fulcrum;
@@ -14,10 +15,15 @@ using namespace fulcrum;
 namespace {
 
 constexpr double kPulled_N = 3.0;  // on each hand
+const int kFade = static_cast<int>(SafetySettings{}.fade_s / kDt_s) + 2;
 
 // Hands that hold a weight each, stepped in one round; the bench's own loops are stepped by nobody else.
 struct TwoHands {
-    TwoHands() : hands(std::array{in_round(first), in_round(second)}) {}
+    explicit TwoHands(bool holds = true) : hands(std::array{in_round(first), in_round(second)}) {
+        if (holds) {
+            hold();
+        }
+    }
     static HandInRound in_round(Bench& bench) { return {&bench.loop, bench.channels.get()}; }
 
     void run(int n) {
@@ -31,15 +37,23 @@ struct TwoHands {
             hands.step(now_s);
         }
     }
+    void carry(double weight_N) {
+        first.world.carried_force_W = second.world.carried_force_W = Vector3(0.0, -weight_N, 0.0);
+    }
     void hold() {
         run(3000);
-        first.world.carried_force_W = second.world.carried_force_W = Vector3(0.0, -kPulled_N, 0.0);
+        carry(kPulled_N);
         run(1000);
-        REQUIRE(force_N(first) == Approx(kPulled_N));
-        REQUIRE(force_N(second) == Approx(kPulled_N));
+        REQUIRE(first.written_N().norm() == Approx(kPulled_N));
+        REQUIRE(second.written_N().norm() == Approx(kPulled_N));
     }
-    static double force_N(const Bench& bench) { return bench.written_N().norm(); }
-    static GatePhase gate(const Bench& bench) { return bench.state().gate; }
+    [[nodiscard]] bool are_silent() const {
+        return first.written_N().norm() == 0.0 && second.written_N().norm() == 0.0;
+    }
+    // Whether so many of the two gates are in this phase.
+    [[nodiscard]] int count(GatePhase phase) const {
+        return (first.state().gate == phase ? 1 : 0) + (second.state().gate == phase ? 1 : 0);
+    }
 
     Bench first{make_weight_plan()};
     Bench second{make_weight_plan()};
@@ -47,26 +61,10 @@ struct TwoHands {
     double now_s = 0.0;
 };
 
-const int kFade = static_cast<int>(SafetySettings{}.fade_s / kDt_s) + 2;
-
-// What goes wrong with a device, and what is noticed of it.
-struct DeviceFault {
-    const char* name;
-    void (*spoil)(ScriptedDevice&);
-    Fault told;
-};
-const DeviceFault kDeviceFaults[] = {
-    {"gives no pose", [](ScriptedDevice& d) { d.gives_pose = false; }, Fault::device_read},
-    {"gives no number",
-     [](ScriptedDevice& d) { d.pose_D.position.x() = std::numeric_limits<double>::quiet_NaN(); },
-     Fault::device_invalid},
-    {"gives old poses", [](ScriptedDevice& d) { d.age_s = 0.5; }, Fault::device_stale},
-    {"takes no force", [](ScriptedDevice& d) { d.takes_wrench = false; }, Fault::device_write}};
-
 }  // namespace
 
 TEST_CASE("hands: a round of several is, to the bit, what each would do alone") {
-    TwoHands two;
+    TwoHands two(false);
     Bench alone(make_weight_plan());
     two.second.device.pose_D.position = Vector3(0.01, 0.0, 0.0);
     for (int k = 0; k < 4000; ++k) {
@@ -77,110 +75,83 @@ TEST_CASE("hands: a round of several is, to the bit, what each would do alone") 
         two.run(1);
         alone.run(1);
         REQUIRE(two.first.state().applied_W.force == alone.state().applied_W.force);
-        REQUIRE(two.first.state().tool_twist_W.linear ==
-                alone.state().tool_twist_W.linear);
+        REQUIRE(two.first.state().tool_twist_W.linear == alone.state().tool_twist_W.linear);
         REQUIRE(two.first.state().faults == alone.state().faults);
     }
-    CHECK(TwoHands::force_N(two.first) > 1.9);
-    CHECK(TwoHands::force_N(two.second) == 0.0);
+    CHECK(two.first.written_N().norm() > 1.9);
+    CHECK(two.second.written_N().norm() == 0.0);
 }
 
 TEST_CASE("hands: a device that fails fades its own force, and the other feels nothing of it") {
-    for (const DeviceFault& fault : kDeviceFaults) {
+    std::vector<DeviceFault> faults(std::begin(kDeviceFaults), std::end(kDeviceFaults));
+    faults.push_back(
+        {"takes no force", [](ScriptedDevice& d) { d.takes_wrench = false; }, Fault::device_write});
+    for (const DeviceFault& fault : faults) {
         for (const bool first_fails : {true, false}) {
             CAPTURE(fault.name, first_fails);
             TwoHands two;
-            two.hold();
             Bench& failing = first_fails ? two.first : two.second;
             const Bench& other = first_fails ? two.second : two.first;
             fault.spoil(failing.device);
             bool is_told = false;
             for (int i = 0; i < kFade + 20; ++i) {
                 two.run(1);
-                is_told = is_told || any(failing.state().faults & fault.told);
-                REQUIRE(TwoHands::force_N(other) == Approx(kPulled_N));
-                REQUIRE(TwoHands::gate(other) == GatePhase::open);
+                is_told = is_told || failing.saw(fault.told);
+                REQUIRE(other.written_N().norm() == Approx(kPulled_N));
+                REQUIRE(other.state().gate == GatePhase::open);
             }
             CHECK(is_told);
-            CHECK(TwoHands::force_N(failing) == 0.0);
+            CHECK(failing.written_N().norm() == 0.0);
         }
     }
 }
 
 TEST_CASE("hands: an emergency stop, however short, stops all, and is lifted for all") {
     TwoHands two;
-    two.hold();
-    two.first.channels->emergency_stop.press();
-    two.first.channels->emergency_stop.release();
+    two.first.channels->emergency_stop.tap();
     two.run(1);
-    CHECK(TwoHands::gate(two.first) == GatePhase::stopped);
-    CHECK(TwoHands::gate(two.second) == GatePhase::stopped);
+    CHECK(two.count(GatePhase::stopped) == 2);
     two.run(kFade);
-    CHECK(TwoHands::force_N(two.first) == 0.0);
-    CHECK(TwoHands::force_N(two.second) == 0.0);
+    CHECK(two.are_silent());
     // It stays, whatever time passes.
     two.run(2000);
-    CHECK(TwoHands::gate(two.second) == GatePhase::stopped);
-    two.first.world.carried_force_W = two.second.world.carried_force_W = Vector3::Zero();
+    CHECK(two.count(GatePhase::stopped) == 2);
+    two.carry(0.0);
     two.run(500);
     two.first.channels->rearm.store(true);
     two.run(100);
-    CHECK(TwoHands::gate(two.first) != GatePhase::stopped);
-    CHECK(TwoHands::gate(two.second) != GatePhase::stopped);
+    CHECK(two.count(GatePhase::stopped) == 0);
     CHECK_FALSE(two.first.channels->rearm.load());
     CHECK_FALSE(two.second.channels->rearm.load());
 }
 
-TEST_CASE("hands: a stop at any device is a stop of all, and no key lifts it while it is held") {
-    TwoHands two;
-    two.hold();
-    two.second.channels->emergency_stop.press();  // as its own arm's button
-    two.run(2);
-    CHECK(TwoHands::gate(two.first) == GatePhase::stopped);
-    CHECK(TwoHands::gate(two.second) == GatePhase::stopped);
-    two.run(kFade);
-    CHECK(TwoHands::force_N(two.first) == 0.0);
-    CHECK(TwoHands::force_N(two.second) == 0.0);
-    two.first.channels->rearm.store(true);
-    two.run(100);
-    CHECK(TwoHands::gate(two.first) == GatePhase::stopped);
-    CHECK(TwoHands::gate(two.second) == GatePhase::stopped);
-    two.second.channels->emergency_stop.release();
-    two.first.channels->rearm.store(true);
-    two.run(100);
-    CHECK(TwoHands::gate(two.first) != GatePhase::stopped);
-    CHECK(TwoHands::gate(two.second) != GatePhase::stopped);
-}
-
 TEST_CASE("hands: a stop that is held holds all steadily, and each hand tells whose it is") {
-    struct Held {
-        bool first;
-        bool second;
+    const auto told = [](bool own, bool other) {
+        return (own ? Fault::emergency_stop : Fault::none) |
+               (other ? Fault::other_stopped : Fault::none);
     };
-    for (const Held held : {Held{true, false}, Held{false, true}, Held{true, true}}) {
-        CAPTURE(held.first, held.second);
+    // At either device, as its own arm's button, or at both.
+    for (const auto& [at_first, at_second] :
+         {std::pair{true, false}, {false, true}, {true, true}}) {
+        CAPTURE(at_first, at_second);
         TwoHands two;
-        two.hold();
-        const auto press = [](Bench& bench, bool is_held) {
-            if (is_held) {
-                bench.channels->emergency_stop.press();
-            }
-        };
-        press(two.first, held.first);
-        press(two.second, held.second);
-        const auto told = [](bool own, bool other) {
-            return (own ? Fault::emergency_stop : Fault::none) |
-                   (other ? Fault::other_stopped : Fault::none);
-        };
-        two.run(kFade + 2);
+        if (at_first) {
+            two.first.channels->emergency_stop.press();
+        }
+        if (at_second) {
+            two.second.channels->emergency_stop.press();
+        }
+        two.run(2);
+        CHECK(two.count(GatePhase::stopped) == 2);
+        two.run(kFade);
         for (int i = 0; i < 1000; ++i) {
+            // No key lifts it while it is held.
+            two.first.channels->rearm.store(i == 500);
             two.run(1);
-            REQUIRE(two.first.state().faults == told(held.first, held.second));
-            REQUIRE(two.second.state().faults == told(held.second, held.first));
-            REQUIRE(TwoHands::gate(two.first) == GatePhase::stopped);
-            REQUIRE(TwoHands::gate(two.second) == GatePhase::stopped);
-            REQUIRE(TwoHands::force_N(two.first) == 0.0);
-            REQUIRE(TwoHands::force_N(two.second) == 0.0);
+            REQUIRE(two.first.state().faults == told(at_first, at_second));
+            REQUIRE(two.second.state().faults == told(at_second, at_first));
+            REQUIRE(two.count(GatePhase::stopped) == 2);
+            REQUIRE(two.are_silent());
         }
         // Let go, it is told no longer, and one lift frees both.
         two.first.channels->emergency_stop.release();
@@ -190,9 +161,8 @@ TEST_CASE("hands: a stop that is held holds all steadily, and each hand tells wh
         CHECK(two.second.state().faults == Fault::none);
         two.first.channels->rearm.store(true);
         two.run(2);
-        CHECK(TwoHands::gate(two.first) == GatePhase::waiting);
-        CHECK(TwoHands::gate(two.second) == GatePhase::waiting);
-        two.first.world.carried_force_W = two.second.world.carried_force_W = Vector3::Zero();
+        CHECK(two.count(GatePhase::waiting) == 2);
+        two.carry(0.0);
         two.hold();
     }
 }
@@ -201,7 +171,6 @@ TEST_CASE("hands: a hand's own fault stays told while another holds a stop") {
     for (const bool first_stops : {true, false}) {
         CAPTURE(first_stops);
         TwoHands two;
-        two.hold();
         Bench& stopping = first_stops ? two.first : two.second;
         Bench& failing = first_stops ? two.second : two.first;
         stopping.channels->emergency_stop.press();
@@ -217,25 +186,20 @@ TEST_CASE("hands: a hand's own fault stays told while another holds a stop") {
 
 TEST_CASE("hands: a lesson that fails or is left fades all, and comes back to all") {
     TwoHands two;
-    two.hold();
     two.first.channels->lesson_failed.store(true);
     two.run(kFade);
-    CHECK(TwoHands::force_N(two.first) == 0.0);
-    CHECK(TwoHands::force_N(two.second) == 0.0);
+    CHECK(two.are_silent());
     two.first.channels->lesson_failed.store(false);
-    two.first.world.carried_force_W = two.second.world.carried_force_W = Vector3::Zero();
+    two.carry(0.0);
     two.run(500);
     two.hold();
     two.first.channels->ended.store(true);
     two.run(kFade);
-    CHECK(TwoHands::force_N(two.first) == 0.0);
-    CHECK(TwoHands::force_N(two.second) == 0.0);
+    CHECK(two.are_silent());
 }
 
 TEST_CASE("hands: silence leaves every device without force") {
     TwoHands two;
-    two.hold();
     two.hands.silence(two.now_s);
-    CHECK(TwoHands::force_N(two.first) == 0.0);
-    CHECK(TwoHands::force_N(two.second) == 0.0);
+    CHECK(two.are_silent());
 }

@@ -24,26 +24,24 @@ TEST_CASE("safety: a torque engages, rises, slews and fades by the force's laws 
     SafetyGate gate(settings);
     // Alone it keeps the gate waiting: 0.2 N times 0.06.
     for (int i = 0; i < 1000; ++i) {
-        REQUIRE(gate.pass(about_y(0.0121), Fault::none, kDt_s).torque.norm() == 0.0);
+        REQUIRE(pass(gate, about_y(0.0121)).torque.norm() == 0.0);
         REQUIRE(gate.phase() == GatePhase::waiting);
     }
     for (int i = 0; i < 5; ++i) {
         CHECK(gate.phase() == GatePhase::waiting);
-        (void)gate.pass(about_y(i < 4 ? 0.0119 : 0.0), Fault::none, kDt_s);
+        pass(gate, about_y(i < 4 ? 0.0119 : 0.0));
     }
     REQUIRE(gate.phase() == GatePhase::rising);
     // 5 N/s times 0.06.
     for (int i = 1; i <= 2001; ++i) {
         const double expected_Nm = std::min(5.0 * kTorquePerForce_m * i * kDt_s, 0.27);
-        REQUIRE(gate.pass(about_y(0.27), Fault::none, kDt_s).torque.y() ==
-                Approx(expected_Nm).margin(kRounding));
+        REQUIRE(pass(gate, about_y(0.27)).torque.y() == Approx(expected_Nm).margin(kRounding));
     }
     REQUIRE(gate.phase() == GatePhase::open);
     // 500 N/s times 0.06, through zero.
     for (int i = 1; i <= 25; ++i) {
         const double expected_Nm = std::max(0.27 - 500.0 * kTorquePerForce_m * i * kDt_s, -0.27);
-        REQUIRE(gate.pass(about_y(-0.27), Fault::none, kDt_s).torque.y() ==
-                Approx(expected_Nm).margin(kRounding));
+        REQUIRE(pass(gate, about_y(-0.27)).torque.y() == Approx(expected_Nm).margin(kRounding));
     }
     for (int i = 1; i <= 101; ++i) {
         const Wrench out =
@@ -61,7 +59,7 @@ TEST_CASE("safety: a device without torque engages whatever torque is commanded"
     settings.max_torque_Nm = 0.0;
     SafetyGate gate(settings);
     for (int i = 0; i < 5; ++i) {
-        CHECK(gate.pass(about_y(0.2), Fault::none, kDt_s).torque.norm() == 0.0);
+        CHECK(pass(gate, about_y(0.2)).torque.norm() == 0.0);
     }
     CHECK(gate.phase() == GatePhase::rising);
 }
@@ -72,34 +70,28 @@ TEST_CASE("safety: what counts for engagement is the commanded force, not what i
     settings.engage_below_N = 1.0;
     REQUIRE(validate(settings));
     SafetyGate gate(settings);
-    for (int i = 0; i < 1000; ++i) {
-        (void)gate.pass(along_x(100.0), Fault::none, kDt_s);
-    }
+    pass(gate, along_x(100.0), 1000);
     CHECK(gate.phase() == GatePhase::waiting);
 }
 
 TEST_CASE("safety: a fault starts the count of calm cycles again") {
     SafetyGate gate{SafetySettings{}};
-    for (int i = 0; i < 4; ++i) {
-        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
-    }
+    pass(gate, along_x(0.0), 4);
     (void)gate.pass(along_x(0.0), Fault::device_read, kDt_s);
     for (int i = 0; i < 4; ++i) {
-        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
+        pass(gate, along_x(0.0));
         CHECK(gate.phase() == GatePhase::waiting);
     }
-    (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
+    pass(gate, along_x(0.0));
     CHECK(gate.phase() == GatePhase::rising);
 }
 
 TEST_CASE("safety: the soft start lasts its time to the end, and a long pause is no part of it") {
     SafetyGate gate{SafetySettings{}};
-    for (int i = 0; i < 5 + 1900; ++i) {
-        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
-    }
+    pass(gate, along_x(0.0), 5 + 1900);
     REQUIRE(gate.phase() == GatePhase::rising);
     // 1.9 s into it, and after three seconds in which nobody called.
-    CHECK(gate.pass(along_x(9.0), Fault::none, kDt_s).force.x() == Approx(0.005));
+    CHECK(pass(gate, along_x(9.0)).force.x() == Approx(0.005));
     CHECK(gate.pass(along_x(9.0), Fault::none, 3.0).force.x() == Approx(0.005 + 0.05));
     CHECK(gate.phase() == GatePhase::rising);
 }
@@ -113,22 +105,17 @@ TEST_CASE("safety: a gate built with absurd settings obeys the strictest of each
     absurd.fade_s = 1e9;
     SafetyGate gate(absurd);
     // Engages below 1 N.
-    for (int i = 0; i < 100; ++i) {
-        (void)gate.pass(along_x(1.01), Fault::none, kDt_s);
-    }
+    pass(gate, along_x(1.01), 100);
     REQUIRE(gate.phase() == GatePhase::waiting);
-    for (int i = 0; i < 5; ++i) {
-        (void)gate.pass(along_x(i < 4 ? 0.99 : 0.0), Fault::none, kDt_s);
-    }
+    pass(gate, along_x(0.99), 4);
+    pass(gate, along_x(0.0));
     REQUIRE(gate.phase() == GatePhase::rising);
     // Rises by 50 N/s, slews by 5000 N/s.
-    CHECK(gate.pass(along_x(100.0), Fault::none, kDt_s).force.x() == Approx(0.05));
-    for (int i = 0; i < 2100; ++i) {
-        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
-    }
+    CHECK(pass(gate, along_x(100.0)).force.x() == Approx(0.05));
+    pass(gate, along_x(0.0), 2100);
     REQUIRE(gate.phase() == GatePhase::open);
-    CHECK(gate.pass(along_x(100.0), Fault::none, kDt_s).force.x() == Approx(5.0));
-    CHECK(gate.pass(along_x(100.0), Fault::none, kDt_s).force.x() == Approx(10.0));
+    CHECK(pass(gate, along_x(100.0)).force.x() == Approx(5.0));
+    CHECK(pass(gate, along_x(100.0)).force.x() == Approx(10.0));
     // Fades within half a second.
     CHECK(gate.pass(along_x(100.0), Fault::device_read, kDt_s).force.x() ==
           Approx(10.0 * (1.0 - kDt_s / 0.5)));
@@ -146,13 +133,7 @@ TEST_CASE("safety: a clock that stands still or creeps holds no force that shoul
         }
     }
     // A loop of 5 kHz has a shorter period.
-    SafetyGate fast(SafetySettings{}, 0.0002);
-    for (int i = 0; i < 3000; ++i) {
-        (void)fast.pass(along_x(0.0), Fault::none, kDt_s);
-    }
-    for (int i = 0; i < 3000; ++i) {
-        (void)fast.pass(along_x(4.0), Fault::none, kDt_s);
-    }
+    SafetyGate fast = open_gate(SafetySettings{}, 4.0, 0.0002);
     CHECK(fast.pass(along_x(4.0), Fault::device_read, 0.0).force.x() == Approx(4.0 * 0.998));
 }
 

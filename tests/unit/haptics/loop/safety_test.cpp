@@ -129,38 +129,34 @@ TEST_CASE("safety: no force before five calm cycles, then 5 N/s in closed form, 
     SafetyGate gate{SafetySettings{}};
     // Started inside a body: 3 N are asked for and never given.
     for (int i = 0; i < 1000; ++i) {
-        REQUIRE(gate.pass(along_x(3.0), Fault::none, kDt_s).force.norm() == 0.0);
+        REQUIRE(pass(gate, along_x(3.0)).force.norm() == 0.0);
     }
     CHECK(gate.phase() == GatePhase::waiting);
     // Four calm cycles are not enough, and one loud cycle starts the count again.
+    pass(gate, along_x(0.19), 4);
+    pass(gate, along_x(0.2));
     for (int i = 0; i < 4; ++i) {
-        (void)gate.pass(along_x(0.19), Fault::none, kDt_s);
-    }
-    (void)gate.pass(along_x(0.2), Fault::none, kDt_s);
-    for (int i = 0; i < 4; ++i) {
-        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
+        pass(gate, along_x(0.0));
         REQUIRE(gate.phase() == GatePhase::waiting);
     }
-    CHECK(gate.pass(along_x(0.0), Fault::none, kDt_s).force.norm() == 0.0);
+    CHECK(pass(gate, along_x(0.0)).force.norm() == 0.0);
     CHECK(gate.phase() == GatePhase::rising);
     // Then |f| = 5 t up to the commanded 4.5 N.
     for (int i = 1; i <= 2000; ++i) {
         const double expected_N = std::min(5.0 * i * kDt_s, 4.5);
-        const Wrench out = gate.pass(along_x(4.5), Fault::none, kDt_s);
+        const Wrench out = pass(gate, along_x(4.5));
         REQUIRE(out.force.x() == Approx(expected_N).margin(kRounding));
         REQUIRE(out.force.tail<2>().norm() == 0.0);
     }
-    (void)gate.pass(along_x(4.5), Fault::none, kDt_s);
+    pass(gate, along_x(4.5));
     CHECK(gate.phase() == GatePhase::open);
 }
 
 TEST_CASE("safety: a calm hand does not use up the soft start's limit on a sudden wall") {
     SafetyGate gate{SafetySettings{}};
-    for (int i = 0; i < 1000; ++i) {
-        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
-    }
+    pass(gate, along_x(0.0), 1000);
     REQUIRE(gate.phase() == GatePhase::rising);
-    CHECK(gate.pass(along_x(5.0), Fault::none, kDt_s).force.x() == Approx(0.005));
+    CHECK(pass(gate, along_x(5.0)).force.x() == Approx(0.005));
 }
 
 TEST_CASE("safety: the slew law in closed form, in both directions and through zero") {
@@ -168,13 +164,11 @@ TEST_CASE("safety: the slew law in closed form, in both directions and through z
     SafetyGate gate = open_gate(settings, 0.0);
     for (int i = 1; i <= 20; ++i) {
         const double expected_N = std::min(500.0 * i * kDt_s, 5.0);
-        REQUIRE(gate.pass(along_x(5.0), Fault::none, kDt_s).force.x() ==
-                Approx(expected_N).margin(kRounding));
+        REQUIRE(pass(gate, along_x(5.0)).force.x() == Approx(expected_N).margin(kRounding));
     }
     for (int i = 1; i <= 30; ++i) {
         const double expected_N = std::max(5.0 - 500.0 * i * kDt_s, -5.0);
-        REQUIRE(gate.pass(along_x(-5.0), Fault::none, kDt_s).force.x() ==
-                Approx(expected_N).margin(kRounding));
+        REQUIRE(pass(gate, along_x(-5.0)).force.x() == Approx(expected_N).margin(kRounding));
     }
 }
 
@@ -191,19 +185,14 @@ TEST_CASE("safety: a long pause between two calls allows no long jump") {
 TEST_CASE("safety: limits scale the vector and keep its direction") {
     SafetyGate gate = open_gate(SafetySettings{}, 0.0);
     const Wrench asked{Vector3(30.0, -40.0, 12.0), Vector3(0.0, 2.0, -1.5)};
-    Wrench out{};
-    for (int i = 0; i < 1000; ++i) {
-        out = gate.pass(asked, Fault::none, kDt_s);
-    }
+    Wrench out = pass(gate, asked, 1000);
     CHECK(out.force.norm() == Approx(5.0));
     CHECK(out.force.normalized().dot(asked.force.normalized()) == Approx(1.0));
     CHECK(out.torque.norm() == Approx(0.3));
     CHECK(out.torque.normalized().dot(asked.torque.normalized()) == Approx(1.0));
     // Each component alone is within the limit here: clipping by component would have let it pass.
     const Vector3 small_components(4.0, 4.0, 4.0);
-    for (int i = 0; i < 1000; ++i) {
-        out = gate.pass({small_components, Vector3::Zero()}, Fault::none, kDt_s);
-    }
+    out = pass(gate, {small_components, Vector3::Zero()}, 1000);
     CHECK(out.force.norm() == Approx(5.0));
 }
 
@@ -254,11 +243,11 @@ TEST_CASE("safety: any fault fades in a straight line to zero, then engagement i
                     Approx(4.0 * (1.0 - i * kDt_s / settings.fade_s)).margin(kRounding));
             REQUIRE(gate.phase() == GatePhase::fading);
         }
-        (void)gate.pass(along_x(5.0), Fault::none, kDt_s);
-        (void)gate.pass(along_x(5.0), Fault::none, kDt_s);
+        pass(gate, along_x(5.0));
+        pass(gate, along_x(5.0));
         CHECK(gate.phase() == GatePhase::waiting);
         for (int i = 0; i < 1000; ++i) {
-            REQUIRE(gate.pass(along_x(5.0), Fault::none, kDt_s).force.norm() == 0.0);
+            REQUIRE(pass(gate, along_x(5.0)).force.norm() == 0.0);
         }
     }
 }
@@ -296,21 +285,17 @@ TEST_CASE(
     SafetyGate gate = open_gate(SafetySettings{}, 4.0);
     CHECK(gate.pass(along_x(4.0), Fault::emergency_stop, kDt_s).force.x() == Approx(4.0 * 0.99));
     CHECK(gate.phase() == GatePhase::stopped);
-    for (int i = 0; i < 100; ++i) {
-        (void)gate.pass(along_x(4.0), Fault::none, kDt_s);
-    }
+    pass(gate, along_x(4.0), 100);
     for (int i = 0; i < 5000; ++i) {
-        REQUIRE(gate.pass(along_x(0.0), Fault::none, kDt_s).force.norm() == 0.0);
+        REQUIRE(pass(gate, along_x(0.0)).force.norm() == 0.0);
         REQUIRE(gate.phase() == GatePhase::stopped);
     }
     gate.reset();
     CHECK(gate.phase() == GatePhase::waiting);
-    CHECK(gate.pass(along_x(4.0), Fault::none, kDt_s).force.norm() == 0.0);
+    CHECK(pass(gate, along_x(4.0)).force.norm() == 0.0);
     // A stop in the middle of a fade goes on fading from there and latches too.
     SafetyGate fading = open_gate(SafetySettings{}, 4.0);
-    for (int i = 0; i < 50; ++i) {
-        (void)fading.pass(along_x(4.0), Fault::device_read, kDt_s);
-    }
+    pass(fading, along_x(4.0), 50, Fault::device_read);
     CHECK(fading.pass(along_x(4.0), Fault::emergency_stop, kDt_s).force.x() ==
           Approx(4.0 * (1.0 - 0.051 / 0.1)));
     CHECK(fading.phase() == GatePhase::stopped);
@@ -349,25 +334,14 @@ TEST_CASE("safety: the last check alone holds, whatever came before it") {
 
 TEST_CASE("safety: silenced in the middle of a stop's fade, nothing comes back") {
     SafetyGate gate{SafetySettings{}};
-    const double dt_s = 0.001;
-    Wrench push;
-    push.force = {0.0, 0.1, 0.0};
-    for (int i = 0; i < 3000; ++i) {
-        (void)gate.pass(push, Fault::none, dt_s);
-    }
-    push.force = {0.0, 4.0, 0.0};
-    for (int i = 0; i < 1000; ++i) {
-        (void)gate.pass(push, Fault::none, dt_s);
-    }
-    REQUIRE(gate.pass(push, Fault::none, dt_s).force.norm() > 3.9);
-    for (int i = 0; i < 20; ++i) {
-        (void)gate.pass(push, Fault::emergency_stop, dt_s);
-    }
+    pass(gate, along_x(0.1), 3000);
+    REQUIRE(pass(gate, along_x(4.0), 1001).force.norm() > 3.9);
+    pass(gate, along_x(4.0), 20, Fault::emergency_stop);
     CHECK(gate.is_fading());
     gate.silence();
     CHECK_FALSE(gate.is_fading());
     CHECK(gate.phase() == GatePhase::stopped);
     for (int i = 0; i < 200; ++i) {
-        REQUIRE(gate.pass(push, Fault::none, dt_s).force.norm() == 0.0);
+        REQUIRE(pass(gate, along_x(4.0)).force.norm() == 0.0);
     }
 }

@@ -44,28 +44,20 @@ HapticPlan make_audible_plan() {
     return plan;
 }
 
-// A loop whose channels may be listened to.
-struct Listened {
-    explicit Listened(bool has_sound, bool has_recorder) {
-        bench.channels->touches = has_sound ? touches.get() : nullptr;
-        bench.channels->record = has_recorder ? record.get() : nullptr;
-        loop = std::make_unique<HapticLoop>(make_audible_plan(), bench.device, *bench.channels,
-                                            std::make_unique<AudibleFloor>());
-    }
-    // The hand dips into the floor ten times a second, deepest a centimetre.
-    void step() {
-        now_s += kDt_s;
-        bench.device.pose_D.position = Vector3(0.01, 0.01 * std::cos(62.8 * now_s), 0.0);
-        bench.command.stamp_s = now_s;
-        bench.channels->command.publish(bench.command);
-        loop->step(now_s);
-    }
-
+// A loop that may be listened to, and a hand that dips into the floor ten times a second, deepest a centimetre.
+struct Rings {
     std::unique_ptr<RecordRing> record = std::make_unique<RecordRing>();
     std::unique_ptr<TouchRing> touches = std::make_unique<TouchRing>();
-    Bench bench{HapticPlan{}};
-    std::unique_ptr<HapticLoop> loop;
-    double now_s = 0.0;
+};
+struct Listened : Rings, Bench {
+    Listened(bool has_sound, bool has_recorder)
+        : Bench(make_audible_plan(), {.proxy = std::make_unique<AudibleFloor>(),
+                                      .record = has_recorder ? record.get() : nullptr,
+                                      .touches = has_sound ? touches.get() : nullptr}) {}
+    void step() {
+        device.pose_D.position = Vector3(0.01, 0.01 * std::cos(62.8 * (now_s + kDt_s)), 0.0);
+        run(1);
+    }
 };
 
 }  // namespace
@@ -80,16 +72,16 @@ TEST_CASE(
     for (std::uint64_t i = 0; i < kRoundsAsleep; ++i) {
         slow.step();
         alone.step();
-        REQUIRE(slow.bench.written_N() == alone.bench.written_N());
-        REQUIRE(slow.loop->state().faults == Fault::none);
-        n_pressed += slow.bench.written_N().y() > 1.0 ? 1 : 0;
+        REQUIRE(slow.written_N() == alone.written_N());
+        REQUIRE(slow.state().faults == Fault::none);
+        n_pressed += slow.written_N().y() > 1.0 ? 1 : 0;
     }
     CHECK(n_pressed > kRoundsAsleep / 4);
     // The newest state is the newest.
-    REQUIRE(slow.bench.channels->state_for_lesson.take());
-    CHECK(slow.bench.channels->state_for_lesson.value().tick == kRoundsAsleep - 1);
-    REQUIRE(slow.bench.channels->state_for_world.take());
-    CHECK(slow.bench.channels->state_for_world.value().tick == kRoundsAsleep - 1);
+    REQUIRE(slow.channels->state_for_lesson.take());
+    CHECK(slow.channels->state_for_lesson.value().tick == kRoundsAsleep - 1);
+    REQUIRE(slow.channels->state_for_world.take());
+    CHECK(slow.channels->state_for_world.value().tick == kRoundsAsleep - 1);
     // Of the touches those that fitted were kept, the oldest, in order; from then on every one is kept again.
     const std::uint64_t n_lost = slow.touches->dropped();
     CHECK(n_lost > 0);
@@ -116,13 +108,13 @@ TEST_CASE(
     Listened slow(false, true);
     for (std::uint64_t i = 0; i < kRoundsAsleep; ++i) {
         slow.step();
-        REQUIRE(slow.bench.device.n_writes == static_cast<int>(i + 1));
+        REQUIRE(slow.device.n_writes == static_cast<int>(i + 1));
         // Told from the round after the first that was lost.
-        REQUIRE(slow.loop->state().faults ==
+        REQUIRE(slow.state().faults ==
                 (i > kRecordRingCapacity ? Fault::record_full : Fault::none));
     }
-    CHECK(slow.loop->state().gate == GatePhase::waiting);
-    CHECK(slow.bench.written_N().norm() == 0.0);
+    CHECK(slow.state().gate == GatePhase::waiting);
+    CHECK(slow.written_N().norm() == 0.0);
     CHECK(slow.record->dropped() == kRoundsAsleep - kRecordRingCapacity);
     // It wakes: what was kept is the oldest, and nothing is missing in it.
     RecordRound round;
@@ -138,7 +130,7 @@ TEST_CASE(
         slow.step();
         REQUIRE(slow.record->pop(round));
         REQUIRE(round.sample.tick == kRoundsAsleep + i);
-        most_N = std::max(most_N, slow.bench.written_N().y());
+        most_N = std::max(most_N, slow.written_N().y());
     }
     CHECK(most_N > 1.0);
     CHECK(slow.record->dropped() == n_lost);

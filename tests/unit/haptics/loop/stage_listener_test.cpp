@@ -1,23 +1,20 @@
 #include "haptics/loop/stage_listener.h"
 
 #include "haptics/geometry/shape.h"
-#include "haptics/loop/haptic_loop.h"
-#include "tests/support/scripted_device.h"
 #include "tests/support/touchable.h"
+#include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
 
-#include <memory>
+#include <vector>
 
 namespace fulcrum {
 namespace {
 
 // Everything that a plan can hold.
 HapticPlan make_full_plan() {
-    HapticPlan plan;
-    plan.carries_weight = true;
+    HapticPlan plan = make_weight_plan();
     plan.lesson_force = true;
-    plan.expects_world = true;
     plan.fields = {{.kind = FieldKind::spring, .stiffness_N_per_m = 30.0},
                    {.kind = FieldKind::viscosity, .damping_Ns_per_m = 1.0},
                    {.kind = FieldKind::magnet, .peak_force_N = 1.0, .range_m = 0.05}};
@@ -31,44 +28,37 @@ class Listener final : public StageListener {
     std::vector<HapticStage> stages;
 };
 
-// One loop and what it hears.
-struct Bench {
-    explicit Bench(const HapticPlan& plan)
-        : channels(std::make_unique<HapticChannels>()), loop(plan, device, *channels) {}
-
-    void feed(int k) {
-        const double now_s = 0.001 * k;
-        ForceCommand command;
-        command.stamp_s = now_s;
-        command.lesson_alive = true;
-        command.linearised.stamp_s = now_s;
+// A lesson that pulls, a weight, and a hand on its way into the ball.
+struct FedBench : Bench {
+    explicit FedBench(const HapticPlan& plan) : Bench(plan) {
         command.linearised.force_W = {0.1, 0.2, 0.0};
-        channels->command.publish(command);
-        WorldFrame world;
-        world.stamp_s = now_s;
         world.carried_force_W = {0.0, -0.5, 0.0};
-        channels->world.publish(world);
-        device.pose_D.position = {0.12 - 0.00004 * k, 0.01, 0.0};
     }
-
-    ScriptedDevice device;
-    std::unique_ptr<HapticChannels> channels;
-    HapticLoop loop;
+    void run(StageListener* listener) {
+        now_s += kDt_s;
+        command.stamp_s = command.linearised.stamp_s = world.stamp_s = now_s;
+        channels->command.publish(command);
+        channels->world.publish(world);
+        device.pose_D.position = {0.12 - 0.04 * now_s, 0.01, 0.0};
+        if (listener != nullptr) {
+            loop.step_observed(now_s, *listener);
+        } else {
+            loop.step(now_s);
+        }
+    }
 };
 
 TEST_CASE("stage listener: a round that is watched is the same round to the byte") {
     const HapticPlan plan = make_full_plan();
-    Bench plain(plan);
-    Bench watched(plan);
+    FedBench plain(plan);
+    FedBench watched(plan);
     Listener listener;
     bool touched = false;
     for (int k = 1; k <= 1000; ++k) {
-        plain.feed(k);
-        watched.feed(k);
-        plain.loop.step(0.001 * k);
-        watched.loop.step_observed(0.001 * k, listener);
-        const HapticState& a = plain.loop.state();
-        const HapticState& b = watched.loop.state();
+        plain.run(nullptr);
+        watched.run(&listener);
+        const HapticState& a = plain.state();
+        const HapticState& b = watched.state();
         REQUIRE(a.commanded_W.force == b.commanded_W.force);
         REQUIRE(a.commanded_W.torque == b.commanded_W.torque);
         REQUIRE(a.applied_W.force == b.applied_W.force);
@@ -77,7 +67,7 @@ TEST_CASE("stage listener: a round that is watched is the same round to the byte
         touched = touched || a.touched_body >= 0;
     }
     CHECK(touched);
-    CHECK(plain.loop.state().applied_W.force.norm() > 0.1);
+    CHECK(plain.state().applied_W.force.norm() > 0.1);
 }
 
 TEST_CASE(
@@ -85,10 +75,9 @@ TEST_CASE(
     HapticPlan bare;
     bare.expects_lesson = false;
     for (const HapticPlan& plan : {make_full_plan(), bare}) {
-        Bench bench(plan);
+        FedBench bench(plan);
         Listener listener;
-        bench.feed(1);
-        bench.loop.step_observed(0.001, listener);
+        bench.run(&listener);
         std::vector<HapticStage> built;
         for (const StageInfo& info : bench.loop.stages()) {
             built.push_back(info.stage);
