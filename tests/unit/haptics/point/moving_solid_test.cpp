@@ -32,14 +32,6 @@ TEST_CASE("moving solid: a plane is that of the turned and moved triangle, on th
     }
 }
 
-TEST_CASE("moving solid: a proxy that is carried along keeps its place in the solid") {
-    MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), Pose{});
-    plate.put_proxy(Vector3(0.1, 0.2, 0.3));
-    CHECK(plate.take_pose(kPose));
-    CHECK((plate.carried_proxy_W() - kPose * Vector3(0.1, 0.2, 0.3)).norm() < 1e-15);
-    CHECK_FALSE(plate.take_pose(kPose));
-}
-
 TEST_CASE(
     "moving solid: a sweep runs from the place in the solid to where the target lies in it now") {
     MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), Pose{});
@@ -172,17 +164,6 @@ TEST_CASE("moving solid: a turn that is not of unit length is the same turn") {
         CHECK((plate.find_plane(0, 1).normal_W - kPose.orientation * Vector3::UnitY()).norm() <
               1e-14);
     }
-}
-
-TEST_CASE("moving solid: poses that are not finite are ignored") {
-    MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), kPose);
-    Pose bad = kPose;
-    bad.position.x() = std::numeric_limits<double>::quiet_NaN();
-    CHECK_FALSE(plate.take_pose(bad));
-    bad = kPose;
-    bad.orientation.coeffs().setZero();
-    CHECK_FALSE(plate.take_pose(bad));
-    CHECK((plate.find_plane(0, 1).normal_W - kPose.orientation * Vector3::UnitY()).norm() < 1e-15);
 }
 
 TEST_CASE("moving solid: far from the origin the clearance stays above the rounding of places") {

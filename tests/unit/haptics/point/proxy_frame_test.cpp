@@ -1,38 +1,69 @@
+// What every solid of a proxy does with its poses: by itself, as a mesh, and as an obstacle.
 #include "haptics/point/proxy_frame.h"
+
+#include "haptics/collision/mesh_obstacle.h"
+#include "haptics/geometry/shape.h"
+#include "haptics/point/moving_obstacle.h"
+#include "haptics/point/moving_solid.h"
+#include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace fulcrum {
 namespace {
 
-TEST_CASE("proxy frame: the proxy goes where the solid takes it") {
-    ProxyFrame frame;
-    frame.put_proxy({1.0, 0.0, 0.0});
-    const Pose pose{{0.0, 2.0, 0.0}, Quaternion(AngleAxis(std::acos(0.0), Vector3::UnitZ()))};
-    CHECK(frame.take_pose(pose));
-    CHECK((frame.carried_proxy_W() - Vector3(0.0, 3.0, 0.0)).norm() <= 1.0e-15);
-    frame.put_proxy({5.0, 5.0, 5.0});
-    CHECK((frame.carried_proxy_W() - Vector3(5.0, 5.0, 5.0)).norm() <= 1.0e-14);
-}
+const Pose kPose{Vector3(3.0, -2.0, 1.0), Quaternion(AngleAxis(0.8, Vector3(0.6, 0.0, 0.8)))};
 
-TEST_CASE("proxy frame: the same pose changes nothing, and one that is not finite is ignored") {
-    ProxyFrame frame;
-    CHECK_FALSE(frame.take_pose({}));
-    Pose broken = Pose::at(Vector3(0.0, std::nan(""), 0.0));
-    CHECK_FALSE(frame.take_pose(broken));
-    broken = Pose::at(Vector3::Ones());
-    broken.orientation.coeffs().setZero();
-    CHECK_FALSE(frame.take_pose(broken));
-    frame.put_proxy({1.0, 2.0, 3.0});
-    CHECK(frame.carried_proxy_W() == Vector3(1.0, 2.0, 3.0));
-    // A turn that is not of unit length is taken as the turn that it means.
-    Pose long_turn;
-    long_turn.orientation.coeffs() *= 3.0;
-    CHECK(frame.take_pose(long_turn));
-    CHECK(frame.carried_proxy_W() == Vector3(1.0, 2.0, 3.0));
+// Each kind at `kPose`, the proxy put at `p` in its frame.
+template <class Law>
+void for_each_frame(const Law& law) {
+    const auto plate = touchable(make_plate(1.0, 1.0, 1));
+    ProxyFrame bare;
+    MovingSolid solid(only_solid(plate).front(), 2);
+    MovingObstacle obstacle(std::make_unique<MeshObstacle>(plate, 0.1), 2, Pose{});
+    law("bare", bare);
+    law("solid", solid);
+    law("obstacle", obstacle);
 }
 
 }  // namespace
+
+TEST_CASE("proxy frame: the proxy goes where the solid takes it, and the same pose takes it not") {
+    for_each_frame([](const char* name, auto& frame) {
+        CAPTURE(name);
+        CHECK_FALSE(frame.take_pose({}));
+        frame.put_proxy({0.1, 0.2, 0.3});
+        CHECK(frame.take_pose(kPose));
+        CHECK((frame.carried_proxy_W() - kPose * Vector3(0.1, 0.2, 0.3)).norm() < 1e-15);
+        CHECK_FALSE(frame.take_pose(kPose));
+        frame.put_proxy({5.0, 5.0, 5.0});
+        CHECK((frame.carried_proxy_W() - Vector3(5.0, 5.0, 5.0)).norm() <= 1.0e-14);
+    });
+}
+
+TEST_CASE("proxy frame: a pose that is none is ignored, a turn not of unit length is that turn") {
+    for_each_frame([](const char* name, auto& frame) {
+        CAPTURE(name);
+        CHECK(frame.take_pose(kPose));
+        frame.put_proxy(kPose * Vector3(0.2, 0.35, 0.1));
+        for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+            Pose broken = kPose;
+            broken.position.x() = bad;
+            CHECK_FALSE(frame.take_pose(broken));
+        }
+        Pose flat = kPose;
+        flat.orientation.coeffs().setZero();
+        CHECK_FALSE(frame.take_pose(flat));
+        for (const double length : {1e-3, 7.0, 1e6}) {
+            Pose longer = kPose;
+            longer.orientation.coeffs() *= length;
+            CHECK(frame.take_pose(longer));
+            CHECK((frame.carried_proxy_W() - kPose * Vector3(0.2, 0.35, 0.1)).norm() < 1e-14);
+        }
+    });
+}
+
 }  // namespace fulcrum
