@@ -2,13 +2,17 @@
 #pragma once
 
 #include "haptics/base/crc32.h"
+#include "haptics/base/little_endian.h"
 #include "haptics/math/rotation.h"
 #include "haptics/record/record.h"
 #include "haptics/record/record_writer.h"
 
+#include <catch2/catch.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +62,36 @@ inline RecordBody make_body(std::uint64_t tick) {
             {{Vector3(t, 1.0, 2.0), compute_exp(Vector3(0.0, 0.1, 0.0))},
              Vector3(0.0, -t, 0.0),
              BodyWhere::falling}};
+}
+
+/// A block's head is its mark, its kind, its payload's size and the checksum of all but the mark.
+inline constexpr std::size_t kBlockHead = 16;
+inline constexpr std::size_t kHeaderSizeAt = 12;
+
+inline std::uint32_t u32_at(const std::vector<std::byte>& bytes, std::size_t at) {
+    return get_little_endian<std::uint32_t>(&bytes[at]);
+}
+inline void put_u32(std::vector<std::byte>& bytes, std::size_t at, std::uint32_t value) {
+    put_little_endian(value, &bytes[at]);
+}
+/// Makes the checksum of the block that begins at `at` fit again.
+inline void mend_block(std::vector<std::byte>& bytes, std::size_t at) {
+    const std::span<const std::byte> all(bytes);
+    put_u32(bytes, at + 12,
+            compute_crc32(all.subspan(at + kBlockHead, u32_at(bytes, at + 8)),
+                          compute_crc32(all.subspan(at + 4, 8))));
+}
+/// And that of the header.
+inline void mend_header(std::vector<std::byte>& bytes) {
+    const std::size_t size = u32_at(bytes, kHeaderSizeAt);
+    put_u32(bytes, size - 4, compute_crc32(std::span(bytes).first(size - 4)));
+}
+/// What the reader says about these bytes.
+inline std::string find_complaint(const std::vector<std::byte>& bytes) {
+    const Expected<Record> record = read_record(bytes);
+    REQUIRE_FALSE(record);
+    CHECK_FALSE(record.error().message.empty());
+    return record.error().message;
 }
 
 /// Where the first block of `make_bytes` begins.

@@ -1,11 +1,9 @@
-#include "haptics/base/crc32.h"
-#include "haptics/record/record.h"
 #include "tests/unit/haptics/record/record_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstring>
+#include <functional>
 #include <limits>
 #include <random>
 #include <span>
@@ -14,86 +12,82 @@ using namespace fulcrum;
 
 namespace {
 
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::ptrdiff_t kEndBlockBytes = 16 + 40;
 
-// What the reader says about these bytes.
-std::string complaint(const std::vector<std::byte>& bytes) {
-    const Expected<Record> record = read_record(bytes);
-    REQUIRE_FALSE(record);
-    CHECK_FALSE(record.error().message.empty());
-    return record.error().message;
-}
+// What is done to the bytes of a record of three rounds, and what is said then.
+struct Damage {
+    const char* said;
+    std::function<void(std::vector<std::byte>&)> happens;
+};
 
-void put_u32(std::vector<std::byte>& bytes, std::size_t at, std::uint32_t value) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        bytes[at + i] = static_cast<std::byte>(value >> (8 * i));
+// A block's fields need its checksum to fit, or nobody would look at them.
+void check_each(const std::vector<Damage>& all) {
+    for (const Damage& damage : all) {
+        CAPTURE(damage.said);
+        std::vector<std::byte> bytes = make_bytes(3);
+        damage.happens(bytes);
+        CHECK(find_complaint(bytes).find(damage.said) != std::string::npos);
     }
 }
-
-// Makes the first block's checksum fit again after its payload was changed.
-void mend_first_block(std::vector<std::byte>& bytes) {
-    const std::span<const std::byte> all(bytes);
-    std::uint32_t size = 0;
-    const std::size_t at = header_bytes();
-    std::memcpy(&size, &bytes[at + 8], 4);
-    const std::uint32_t checksum =
-        compute_crc32(all.subspan(at + 16, size), compute_crc32(all.subspan(at + 4, 8)));
-    put_u32(bytes, at + 12, checksum);
+std::function<void(std::vector<std::byte>&)> put(std::size_t at, std::uint32_t value) {
+    return [=](std::vector<std::byte>& bytes) { put_u32(bytes, at, value); };
+}
+std::function<void(std::vector<std::byte>&)> put_mended(std::size_t at, std::uint32_t value) {
+    return [=](std::vector<std::byte>& bytes) {
+        put_u32(bytes, at, value);
+        mend_block(bytes, header_bytes());
+    };
+}
+std::function<void(std::vector<std::byte>&)> flip(std::size_t at, unsigned bits) {
+    return [=](std::vector<std::byte>& bytes) { bytes[at] ^= static_cast<std::byte>(bits); };
 }
 
-// Makes the header's checksum fit again after it was changed; `size` is the header's.
-void mend_header(std::vector<std::byte>& bytes, std::size_t size) {
-    put_u32(bytes, size - 4, compute_crc32(std::span(bytes).first(size - 4)));
+// One thing alone, written.
+template <class T>
+std::vector<std::byte> write_alone(const T& one, const RecordHeader& header = make_header()) {
+    RecordEncoder encoder(header);
+    encoder.append(one);
+    encoder.finish();
+    return encoder.take_bytes();
+}
+std::vector<std::byte> write_header(const RecordHeader& header) {
+    RecordEncoder encoder(header);
+    encoder.finish();
+    return encoder.take_bytes();
 }
 
 }  // namespace
 
 TEST_CASE("record: a force that was NaN can be kept, a pose cannot be NaN") {
-    RecordEncoder encoder(RecordHeader{});
     RecordSample sample = make_sample(1);
-    sample.commanded_W.force.x() = std::numeric_limits<double>::quiet_NaN();
-    encoder.append(sample);
-    encoder.finish();
-    const Expected<Record> kept = read_record(encoder.take_bytes());
+    sample.commanded_W.force.x() = kNan;
+    const Expected<Record> kept = read_record(write_alone(sample, RecordHeader{}));
     REQUIRE(kept);
     CHECK(std::isnan(kept->samples[0].commanded_W.force.x()));
-    RecordEncoder bad(RecordHeader{});
     sample.pose_D.position.x() = std::numeric_limits<double>::infinity();
-    bad.append(sample);
-    bad.finish();
-    CHECK(complaint(bad.take_bytes()).find("impossible sample") != std::string::npos);
+    CHECK(find_complaint(write_alone(sample, RecordHeader{})).find("impossible sample") !=
+          std::string::npos);
 }
 
 TEST_CASE("record: hostile headers are refused, each with its sentence") {
-    const std::vector<std::byte> good = make_bytes(3);
-    CHECK(complaint({}).find("shorter") != std::string::npos);
-    std::vector<std::byte> bytes(good.begin(), good.begin() + 50);
-    CHECK(complaint(bytes).find("shorter") != std::string::npos);
-    bytes = good;
-    bytes[0] = std::byte{'P'};
-    CHECK(complaint(bytes).find("no Fulcrum record") != std::string::npos);
-    bytes = good;
-    put_u32(bytes, 8, 99);
-    CHECK(complaint(bytes).find("version 99") != std::string::npos);
-    bytes = good;
-    bytes[20] ^= std::byte{1};
-    CHECK(complaint(bytes).find("header is damaged: its checksum") != std::string::npos);
-    for (const std::uint32_t size : {0U, 19U, 0x7FFFFFFFU}) {
-        bytes = good;
-        put_u32(bytes, 12, size);
-        CHECK(complaint(bytes).find("cannot have this length") != std::string::npos);
+    check_each(
+        {{"shorter", [](std::vector<std::byte>& bytes) { bytes.clear(); }},
+         {"shorter", [](std::vector<std::byte>& bytes) { bytes.resize(50); }},
+         {"no Fulcrum record", [](std::vector<std::byte>& bytes) { bytes[0] = std::byte{'P'}; }},
+         {"version 99", put(8, 99)},
+         {"header is damaged: its checksum", flip(20, 1)},
+         {"cannot have this length", put(kHeaderSizeAt, 0)},
+         {"cannot have this length", put(kHeaderSizeAt, 19)},
+         {"cannot have this length", put(kHeaderSizeAt, 0x7FFFFFFFU)},
+         {"shorter than its own header",
+          put(kHeaderSizeAt, static_cast<std::uint32_t>(make_bytes(3).size() + 1))}});
+    for (const double rate_Hz : {1e9, 0.0, kNan}) {
+        CHECK(find_complaint(write_header({rate_Hz, "x", 0.0, 0.0, {}, {}, {}}))
+                  .find("impossible rate") != std::string::npos);
     }
-    bytes = good;
-    put_u32(bytes, 12, static_cast<std::uint32_t>(bytes.size() + 1));
-    CHECK(complaint(bytes).find("shorter than its own header") != std::string::npos);
-    for (const double rate_Hz : {1e9, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
-        RecordEncoder fast({rate_Hz, "x", 0.0, 0.0, {}, {}, {}});
-        fast.finish();
-        CHECK(complaint(fast.take_bytes()).find("impossible rate") != std::string::npos);
-    }
-    RecordEncoder pull({1000.0, "x", -1.0, 0.0, {}, {}, {}});
-    pull.finish();
-    CHECK(complaint(pull.take_bytes()).find("impossible rate, lesson, limit") != std::string::npos);
+    CHECK(find_complaint(write_header({1000.0, "x", -1.0, 0.0, {}, {}, {}}))
+              .find("impossible rate, lesson, limit") != std::string::npos);
 }
 
 // Wherever a count or a length in the header is changed, the header is refused or means something else: it is never read past its end.
@@ -105,7 +99,7 @@ TEST_CASE("record: a header whose lists cannot be is refused, with a checksum th
         for (const std::uint32_t value : {0U, 5U, 4097U, 0xFFFFFFFFU}) {
             auto bytes = good;
             put_u32(bytes, at, value);
-            mend_header(bytes, size);
+            mend_header(bytes);
             refused += read_record(bytes).has_value() ? 0 : 1;
         }
     }
@@ -113,8 +107,8 @@ TEST_CASE("record: a header whose lists cannot be is refused, with a checksum th
     // A bell in the lesson's name, behind rate, two limits and the length.
     auto bytes = good;
     bytes[44] = std::byte{7};
-    mend_header(bytes, size);
-    CHECK(complaint(bytes).find("impossible rate, lesson") != std::string::npos);
+    mend_header(bytes);
+    CHECK(find_complaint(bytes).find("impossible rate, lesson") != std::string::npos);
 }
 
 TEST_CASE("record: those of versions 1 to 4 are read, each with the faults that it knows") {
@@ -141,15 +135,15 @@ TEST_CASE("record: those of versions 1 to 4 are read, each with the faults that 
         CHECK(read->events[0].text == "An egg.");
         CHECK(read->bodies.empty());
         if (version < 4) {
-            CHECK(complaint(record_of(last[version], version)).find("impossible sample") !=
+            CHECK(find_complaint(record_of(last[version], version)).find("impossible sample") !=
                   std::string::npos);
         }
     }
-    CHECK(complaint(record_of(Fault::none, 0)).find("version 0") != std::string::npos);
+    CHECK(find_complaint(record_of(Fault::none, 0)).find("version 0") != std::string::npos);
     // What only today's version has is none in an old one.
     const auto late =
         make_old_bytes(4, {make_sample(1)}, {{0.5, RecordEventKind::gate, -1, "open"}});
-    CHECK(complaint(late).find("impossible event") != std::string::npos);
+    CHECK(find_complaint(late).find("impossible event") != std::string::npos);
     auto cut = record_of(Fault::none, 3);
     cut.resize(cut.size() - 33);  // the end and a byte of the events
     const auto recovered = recover_record(cut);
@@ -158,97 +152,57 @@ TEST_CASE("record: those of versions 1 to 4 are read, each with the faults that 
 }
 
 TEST_CASE("record: hostile blocks are refused, each with its sentence") {
-    const std::vector<std::byte> good = make_bytes(3);
     const std::size_t block = header_bytes();
-    auto bytes = good;
-    bytes[block] = std::byte{0};
-    CHECK(complaint(bytes).find("does not begin") != std::string::npos);
-    bytes = good;
-    put_u32(bytes, block + 8, 0xFFFFFFFF);
-    CHECK(complaint(bytes).find("claims 4294967295") != std::string::npos);
-    bytes = good;
-    put_u32(bytes, block + 8, 10'000'000);
-    CHECK(complaint(bytes).find("cut off in the middle") != std::string::npos);
-    bytes = good;
-    bytes[block + 100] ^= std::byte{4};
-    CHECK(complaint(bytes).find("checksum") != std::string::npos);
-    bytes = good;
-    put_u32(bytes, block + 4, 77);
-    mend_first_block(bytes);
-    CHECK(complaint(bytes).find("unknown kind 77") != std::string::npos);
-    bytes = good;
-    put_u32(bytes, block + 8, 239);
-    mend_first_block(bytes);
-    CHECK(complaint(bytes).find("impossible sample") != std::string::npos);
-    // Second sample's time moved before the first's.
-    bytes = good;
-    const double early_s = -5.0;
-    std::memcpy(&bytes[block + 16 + kFixtureSampleBytes + 8], &early_s, 8);
-    mend_first_block(bytes);
-    CHECK(complaint(bytes).find("impossible sample, number 1") != std::string::npos);
-    bytes = good;
-    put_u32(bytes, block + 16 + 224 + 8, 9);  // gate
-    mend_first_block(bytes);
-    CHECK(complaint(bytes).find("impossible sample, number 0") != std::string::npos);
-    for (const std::uint32_t body : {64U, 0xFFFFFFFEU}) {
-        bytes = good;
-        put_u32(bytes, block + 16 + 224 + 12, body);  // touched
-        mend_first_block(bytes);
-        CHECK(complaint(bytes).find("impossible sample, number 0") != std::string::npos);
-    }
-    bytes = good;
-    bytes.push_back(std::byte{0});
-    CHECK(complaint(bytes).find("goes on after its end") != std::string::npos);
-    bytes = good;
-    bytes.resize(bytes.size() - kEndBlockBytes);
-    CHECK(complaint(bytes).find("end is missing") != std::string::npos);
+    const std::size_t sample = block + kBlockHead;
+    check_each({
+        {"does not begin", put(block, 0)},
+        {"claims 4294967295", put(block + 8, 0xFFFFFFFF)},
+        {"cut off in the middle", put(block + 8, 10'000'000)},
+        {"checksum", flip(block + 100, 4)},
+        {"unknown kind 77", put_mended(block + 4, 77)},
+        {"impossible sample", put_mended(block + 8, 239)},
+        // The second sample's time moved before the first's: -5 s.
+        {"impossible sample, number 1", put_mended(sample + kFixtureSampleBytes + 12, 0xC0140000U)},
+        {"impossible sample, number 0", put_mended(sample + 224 + 8, 9)},    // gate
+        {"impossible sample, number 0", put_mended(sample + 224 + 12, 64)},  // touched
+        {"impossible sample, number 0", put_mended(sample + 224 + 12, 0xFFFFFFFEU)},
+        {"goes on after its end",
+         [](std::vector<std::byte>& bytes) { bytes.push_back(std::byte{0}); }},
+        {"end is missing",
+         [](std::vector<std::byte>& bytes) { bytes.resize(bytes.size() - kEndBlockBytes); }},
+    });
 }
 
 TEST_CASE("record: hostile events and bodies are refused, each with its sentence") {
-    const auto of_event = [](RecordEvent event) {
-        RecordEncoder encoder(make_header());
-        encoder.append(event);
-        encoder.finish();
-        return encoder.take_bytes();
-    };
     const std::size_t block = header_bytes();
-    const RecordEvent event{0.5, RecordEventKind::answered, 2, "An egg."};
-    REQUIRE(read_record(of_event(event)));
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(complaint(of_event({nan, event.kind, 2, ""})).find("impossible event, number 0") !=
-          std::string::npos);
-    CHECK(complaint(of_event({0.5, static_cast<RecordEventKind>(20), 2, ""}))
-              .find("impossible event, number 0") != std::string::npos);
-    CHECK(complaint(of_event({0.5, event.kind, 64, ""})).find("impossible event, number 0") !=
-          std::string::npos);
-    for (const std::uint32_t length : {6U, 8U, 5000U, 0xFFFFFFFFU}) {
-        auto bytes = of_event(event);
-        put_u32(bytes, block + 16 + 16, length);
-        mend_first_block(bytes);
-        CHECK(complaint(bytes).find("impossible event") != std::string::npos);
-    }
-    const auto of_body = [](const RecordBody& body) {
-        RecordEncoder encoder(make_header());
-        encoder.append(body);
-        encoder.finish();
-        return encoder.take_bytes();
+    const auto refuses = [](const std::vector<std::byte>& bytes, const char* sentence) {
+        return find_complaint(bytes).find(sentence) != std::string::npos;
     };
-    REQUIRE(read_record(of_body(make_body(4))));
-    for (const std::int32_t who : {-1, kMaxBodies}) {
-        RecordBody body = make_body(4);
-        body.body = who;
-        CHECK(complaint(of_body(body)).find("impossible body, number 0") != std::string::npos);
+    const RecordEvent event{0.5, RecordEventKind::answered, 2, "An egg."};
+    REQUIRE(read_record(write_alone(event)));
+    for (const RecordEvent& bad : {RecordEvent{kNan, event.kind, 2, ""},
+                                   RecordEvent{0.5, static_cast<RecordEventKind>(20), 2, ""},
+                                   RecordEvent{0.5, event.kind, 64, ""}}) {
+        CHECK(refuses(write_alone(bad), "impossible event, number 0"));
     }
-    RecordBody nowhere = make_body(4);
-    nowhere.state.where = static_cast<BodyWhere>(5);
-    CHECK(complaint(of_body(nowhere)).find("impossible body, number 0") != std::string::npos);
-    nowhere = make_body(4);
-    nowhere.time_s = nan;
-    CHECK(complaint(of_body(nowhere)).find("impossible body, number 0") != std::string::npos);
-    auto bytes = of_body(make_body(4));
-    put_u32(bytes, block + 8, kRecordBodyBytes - 1);
-    mend_first_block(bytes);
-    CHECK(complaint(bytes).find("impossible body") != std::string::npos);
+    for (const std::uint32_t length : {6U, 8U, 5000U, 0xFFFFFFFFU}) {
+        auto bytes = write_alone(event);
+        put_mended(block + kBlockHead + 16, length)(bytes);
+        CHECK(refuses(bytes, "impossible event"));
+    }
+    REQUIRE(read_record(write_alone(make_body(4))));
+    std::array<RecordBody, 4> bodies;
+    bodies.fill(make_body(4));
+    bodies[0].body = -1;
+    bodies[1].body = kMaxBodies;
+    bodies[2].state.where = static_cast<BodyWhere>(5);
+    bodies[3].time_s = kNan;
+    for (const RecordBody& bad : bodies) {
+        CHECK(refuses(write_alone(bad), "impossible body, number 0"));
+    }
+    auto bytes = write_alone(make_body(4));
+    put_mended(block + 8, kRecordBodyBytes - 1)(bytes);
+    CHECK(refuses(bytes, "impossible body"));
 }
 
 TEST_CASE("record: an end that counts otherwise is refused") {
@@ -256,7 +210,7 @@ TEST_CASE("record: an end that counts otherwise is refused") {
     const std::vector<std::byte> four = make_bytes(4);
     three.resize(three.size() - kEndBlockBytes);
     three.insert(three.end(), four.end() - kEndBlockBytes, four.end());
-    CHECK(complaint(three).find("other numbers") != std::string::npos);
+    CHECK(find_complaint(three).find("other numbers") != std::string::npos);
 }
 
 TEST_CASE("record: cut off at any byte, every whole block survives") {

@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 
 #include <bit>
-#include <cstring>
 #include <limits>
 #include <span>
 
@@ -168,31 +167,22 @@ TEST_CASE("record: messages that cannot be are refused, and never read past thei
     const std::vector<std::byte> good = encoder.take_bytes();
     REQUIRE(read_record(good));
     const std::size_t block = header_bytes();
-    std::uint32_t size = 0;
-    std::memcpy(&size, &good[block + 8], 4);
+    const std::size_t size = u32_at(good, block + 8);
     int refused = 0;
     for (std::size_t at = 0; at + 4 <= size; at += 4) {
         for (const std::uint32_t value : {0U, 2U, 17U, 4097U, 0xFFFFFFFFU}) {
             auto bytes = good;
-            std::memcpy(&bytes[block + 16 + at], &value, 4);
-            const std::span<const std::byte> all(bytes);
-            const std::uint32_t checksum = compute_crc32(all.subspan(block + 16, size),
-                                                         compute_crc32(all.subspan(block + 4, 8)));
-            std::memcpy(&bytes[block + 12], &checksum, 4);
+            put_u32(bytes, block + kBlockHead + at, value);
+            mend_block(bytes, block);
             refused += read_record(bytes) ? 0 : 1;
         }
     }
     CHECK(refused > 30);
     // Of a hand that the header has not.
     auto bytes = good;
-    const std::uint32_t second = 1;
-    std::memcpy(&bytes[block + 16], &second, 4);
-    const std::span<const std::byte> all(bytes);
-    const std::uint32_t checksum =
-        compute_crc32(all.subspan(block + 16, size), compute_crc32(all.subspan(block + 4, 8)));
-    std::memcpy(&bytes[block + 12], &checksum, 4);
-    CHECK(read_record(bytes).error().message.find("a hand that its header has not") !=
-          std::string::npos);
+    put_u32(bytes, block + kBlockHead, 1);
+    mend_block(bytes, block);
+    CHECK(find_complaint(bytes).find("a hand that its header has not") != std::string::npos);
     // Cut off anywhere it keeps what is whole.
     for (std::size_t n = block; n < good.size(); n += 7) {
         const auto part = recover_record(std::span(good).first(n));
