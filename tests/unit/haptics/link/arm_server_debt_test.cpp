@@ -48,9 +48,7 @@ struct Unpaid {
         packet.command.max_force_N = 10.0;
         packet.command.max_torque_Nm = 1.0;
         packet.command.max_slew_N_per_s = 5000.0;
-        PacketBytes bytes{};
-        const std::size_t size = write_packet(packet, held.pair.seal, bytes);
-        REQUIRE(held.pair.channel.end(0).send(held.pair.now_s, {}, std::span(bytes).first(size)));
+        held.send(packet);
     }
     // The hand goes at `speed` along x, or turns about it, for `seconds`; its arm shows that in steps of `seen`, in every so many rounds.
     void run_seen(double seconds, const Wrench& wrench_D, double speed, double seen, int every) {
@@ -60,8 +58,7 @@ struct Unpaid {
         for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep_s)); ++i) {
             send(PacketKind::command, wrench_D);
             gone += speed * kStep_s;
-            given_J += (turns ? held.hand.written_D.torque.x() : held.hand.written_D.force.x()) *
-                       speed * kStep_s;
+            given_J += (turns ? held.hand.written_D.torque.x() : held.felt_N()) * speed * kStep_s;
             if (i % every == 0) {
                 const double step = seen * std::floor((gone - shown) / seen);
                 shown += step;
@@ -145,7 +142,7 @@ TEST_CASE("link: a hand that seems to rest is given one encoder's step at a time
     CHECK(arm.given_J < 2.0 * kForce_N * 5.5e-5 / SeenWay::kRests_s);
     // Where it rests it has the whole force.
     arm.run_seen(0.2, asked, 0.0, 5.5e-5, 1);
-    CHECK(arm.held.hand.written_D.force.x() == Approx(kForce_N));
+    CHECK(arm.held.felt_N() == Approx(kForce_N));
 }
 
 TEST_CASE(
@@ -155,14 +152,14 @@ TEST_CASE(
     const Wrench asked{kForce_N * x, Vector3::Zero()};
     arm.run(10, {}, Vector3::Zero(), Vector3::Zero());
     arm.run(100, asked, kSlow_m * x, Vector3::Zero());
-    REQUIRE(arm.held.hand.written_D.force.x() < 0.5);  // in debt
+    REQUIRE(arm.held.felt_N() < 0.5);  // in debt
     // The hand goes on, and is braked for a while, ever less.
     arm.run(20, {}, kSlow_m * x, Vector3::Zero());
-    const double early_N = -arm.held.hand.written_D.force.x();
+    const double early_N = -arm.held.felt_N();
     CHECK(early_N > 0.02);
     arm.run(20, {}, kSlow_m * x, Vector3::Zero());
-    CHECK(-arm.held.hand.written_D.force.x() > 0.0);
-    CHECK(-arm.held.hand.written_D.force.x() < early_N);
+    CHECK(-arm.held.felt_N() > 0.0);
+    CHECK(-arm.held.felt_N() < early_N);
     for (int i = 0; i < 40; ++i) {
         arm.run(1, {}, kSlow_m * x, Vector3::Zero());
         CHECK((i < 12 || arm.held.hand.written_D.force.norm() == 0.0));
@@ -177,5 +174,5 @@ TEST_CASE(
     arm.run(200, {}, Vector3::Zero(), Vector3::Zero());  // the last one's force has faded
     REQUIRE(arm.held.arm().held);
     arm.run(5, asked, kSlow_m * x, Vector3::Zero());
-    CHECK(arm.held.hand.written_D.force.x() > 2.7);
+    CHECK(arm.held.felt_N() > 2.7);
 }

@@ -1,21 +1,23 @@
 #include "tests/unit/haptics/link/held_arm.h"
+#include "tests/unit/haptics/loop/device_faults.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <limits>
+#include <optional>
 
 using namespace fulcrum;
+using test_link::Engaged;
 using test_link::Held;
 using test_link::kStep_s;
 
 TEST_CASE(
     "link: without a fresh command for 20 ms the arm fades by itself, and comes back softly") {
-    Held held;
-    held.engage();
+    Engaged held;
     held.commands = false;  // killed, hung, or its cable pulled
     held.run(19);
-    CHECK(held.hand.written_D.force.x() == Approx(3.0));
+    CHECK(held.felt_N() == Approx(3.0));
     held.run(2);
     CHECK(any(held.arm().faults & Fault::command_stale));
     held.run(100);
@@ -30,13 +32,12 @@ TEST_CASE(
     held.run(10);
     held.wrench.force.x() = 3.0;
     held.run(100);
-    CHECK(held.hand.written_D.force.x() > 0.0);
-    CHECK(held.hand.written_D.force.x() < 0.6);  // 5 N/s
+    CHECK(held.felt_N() > 0.0);
+    CHECK(held.felt_N() < 0.6);  // 5 N/s
 }
 
 TEST_CASE("link: a second program is told that the arm is taken, and disturbs nobody") {
-    Held held;
-    held.engage();
+    Engaged held;
     // It speaks to the same arm from elsewhere.
     class Elsewhere final : public Datagrams {
       public:
@@ -60,58 +61,79 @@ TEST_CASE("link: a second program is told that the arm is taken, and disturbs no
         CHECK_FALSE(second.read(held.pair.now_s, reading));
         CHECK_FALSE(second.write(held.pair.now_s, {{-3.0, 0.0, 0.0}, Vector3::Zero()}));
         held.run(1);
-        REQUIRE(held.hand.written_D.force.x() == Approx(3.0));
+        REQUIRE(held.felt_N() == Approx(3.0));
     }
     CHECK(held.arm().sessions == 1);
 }
 
 TEST_CASE("link: a bye frees the arm for the next") {
-    Held held;
-    held.engage();
+    Engaged held;
     held.pair.tap.keeps = true;
     held.wrench = {};
     {
         // The first program ends in good order.
         LinkPacket bye;
         bye.head = {PacketKind::bye, 1000, 2000, 1'000'000, 1, 0, 0};
-        PacketBytes bytes{};
-        const std::size_t size = write_packet(bye, held.pair.seal, bytes);
-        held.pair.channel.end(0).send(0.0, {}, std::span(bytes).first(size));
+        held.send(bye);
     }
     held.commands = false;
     held.run(1);
     CHECK_FALSE(held.arm().held);
 }
 
-TEST_CASE("link: the smaller of both sides' limits holds") {
-    Held held({}, {}, {.max_force_N = 2.0});
-    REQUIRE(held.pair.link());
-    held.run(200);
-    held.wrench.force.x() = 9.0;
-    held.run(5000);
-    CHECK(held.hand.written_D.force.x() == Approx(2.0).epsilon(1e-9));
-
-    ArmServerSettings weak;
-    weak.safety.max_force_N = 1.5;
-    Held soft({}, weak);
-    REQUIRE(soft.pair.link());
-    soft.run(200);
-    soft.wrench.force.x() = 0.1;
-    soft.run(100);
-    soft.wrench.force.x() = 9.0;
-    soft.run(5000);
-    CHECK(soft.hand.written_D.force.x() == Approx(1.5).epsilon(1e-9));
-}
-
-TEST_CASE("link: what a run tells of its limits holds, force and torque") {
-    Held held;
-    held.pair.device.tell_limits({.max_force_N = 1.5, .max_torque_Nm = 0.1});
-    REQUIRE(held.pair.link());
-    held.run(200);
-    held.wrench = {Vector3(9.0, 0.0, 0.0), Vector3(0.0, 0.9, 0.0)};
-    held.run(5000);
-    CHECK(held.hand.written_D.force.x() == Approx(1.5).epsilon(1e-9));
-    CHECK(held.hand.written_D.torque.y() == Approx(0.1).epsilon(1e-9));
+TEST_CASE("link: the least of program, run, arm's settings and arm holds, of torques too") {
+    struct Limits {
+        const char* who;
+        ArmServerSettings server;
+        LinkDeviceSettings program;
+        std::optional<SafetySettings> run;  // what it tells of its limits
+        double arm_N, arm_Nm;
+        double felt_N, felt_Nm;
+    };
+    const ScriptedDevice any;
+    const double any_N = any.traits_.max_force_N;
+    const double any_Nm = any.traits_.max_torque_Nm;
+    const LinkDeviceSettings open{.max_force_N = 10.0, .max_torque_Nm = 1.0};
+    for (const Limits& limits : {Limits{"program",
+                                        {},
+                                        {.max_force_N = 3.0, .max_torque_Nm = 0.1},
+                                        {},
+                                        any_N,
+                                        any_Nm,
+                                        3.0,
+                                        0.1},
+                                 Limits{"run",
+                                        {},
+                                        open,
+                                        SafetySettings{.max_force_N = 1.5, .max_torque_Nm = 0.1},
+                                        any_N,
+                                        any_Nm,
+                                        1.5,
+                                        0.1},
+                                 Limits{"settings",
+                                        {.safety = {.max_force_N = 1.5, .max_torque_Nm = 0.05}},
+                                        open,
+                                        {},
+                                        any_N,
+                                        any_Nm,
+                                        1.5,
+                                        0.05},
+                                 Limits{"arm", {}, open, {}, 2.0, 0.05, 2.0, 0.05}}) {
+        CAPTURE(limits.who);
+        DeviceTraits traits = any.traits_;
+        traits.max_force_N = limits.arm_N;
+        traits.max_torque_Nm = limits.arm_Nm;
+        Held held({}, limits.server, limits.program, traits);
+        if (limits.run) {
+            held.pair.device.tell_limits(*limits.run);
+        }
+        REQUIRE(held.pair.link());
+        held.run(200);
+        held.wrench = {Vector3(9.0, 0.0, 0.0), Vector3(0.0, 0.9, 0.0)};
+        held.run(6000);
+        CHECK(held.felt_N() == Approx(limits.felt_N).epsilon(1e-9));
+        CHECK(held.hand.written_D.torque.y() == Approx(limits.felt_Nm).epsilon(1e-9));
+    }
 }
 
 TEST_CASE(
@@ -137,7 +159,7 @@ TEST_CASE(
             largest.torque.x() =
                 std::max(largest.torque.x(), (held.hand.written_D.torque - before.torque).norm());
         }
-        CHECK(held.hand.written_D.force.x() == Approx(3.0));
+        CHECK(held.felt_N() == Approx(3.0));
         CHECK(held.hand.written_D.torque.y() == Approx(0.1));
         return largest;
     };
@@ -151,11 +173,9 @@ TEST_CASE(
 
 TEST_CASE(
     "link: stop at the arm fades, is told to the program, and stays until it is lifted there") {
-    Held held;
-    held.engage();
+    Engaged held;
     held.pair.server.stop();
-    held.run(1);
-    CHECK(held.arm().gate == GatePhase::stopped);
+    CHECK(held.run_to_gate(1) == GatePhase::stopped);
     held.run(1);
     CHECK(any(held.reading.faults & Fault::emergency_stop));
     held.run(110);
@@ -171,12 +191,11 @@ TEST_CASE(
     CHECK_FALSE(any(held.reading.faults & Fault::emergency_stop));
     held.wrench.force.x() = 3.0;
     held.run(3000);
-    CHECK(held.hand.written_D.force.x() == Approx(3.0));
+    CHECK(held.felt_N() == Approx(3.0));
 }
 
 TEST_CASE("link: a stop at the arm that comes while an earlier one is being lifted stays") {
-    Held held;
-    held.engage();
+    Engaged held;
     held.pair.server.stop();
     held.run(5);
     held.pair.server.rearm();
@@ -185,36 +204,17 @@ TEST_CASE("link: a stop at the arm that comes while an earlier one is being lift
     held.pair.server.stop();
     held.pair.server.stop_switch().release();
     held.wrench = {};
-    held.run(1000);
-    CHECK(held.arm().gate == GatePhase::stopped);
+    CHECK(held.run_to_gate(1000) == GatePhase::stopped);
     held.pair.server.rearm();
-    held.run(10);
-    CHECK(held.arm().gate != GatePhase::stopped);
+    CHECK(held.run_to_gate(10) != GatePhase::stopped);
 }
 
 TEST_CASE("link: the arm trusts its own sensors no more than the program's commands") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (int kind = 0; kind < 5; ++kind) {
-        Held held;
-        held.engage();
-        switch (kind) {
-            case 0:
-                held.hand.gives_pose = false;
-                break;
-            case 1:
-                held.hand.age_s = 0.021;
-                break;
-            case 2:
-                held.hand.pose_D.position.x() = nan;
-                break;
-            case 3:
-                held.hand.pose_D.orientation.coeffs().setZero();
-                break;
-            default:
-                held.hand.pose_D.position.x() = 0.5;  // a jump of 500 m/s
-        }
+    for (const DeviceFault& fault : kDeviceFaults) {
+        CAPTURE(fault.name);
+        Engaged held;
+        fault.spoil(held.hand);
         held.run(1);
-        INFO("kind " << kind);
         CHECK(held.arm().trips == 1);
         held.run(101);
         CHECK(held.hand.written_D.force.norm() == 0.0);
@@ -222,8 +222,7 @@ TEST_CASE("link: the arm trusts its own sensors no more than the program's comma
 }
 
 TEST_CASE("link: a hand that is thrown feels nothing") {
-    Held fast;
-    fast.engage();
+    Engaged fast;
     for (int i = 0; i < 200; ++i) {
         fast.hand.pose_D.position.x() += 0.004;  // 4 m/s
         fast.run(1);
@@ -233,8 +232,7 @@ TEST_CASE("link: a hand that is thrown feels nothing") {
 }
 
 TEST_CASE("link: silence leaves the arm without force and says bye") {
-    Held held;
-    held.engage();
+    Engaged held;
     held.pair.server.silence(held.pair.now_s);
     CHECK(held.hand.written_D.force.norm() == 0.0);
     held.serves = false;
@@ -247,21 +245,28 @@ TEST_CASE("link: silence leaves the arm without force and says bye") {
     CHECK_FALSE(held.arm().held);
 }
 
-TEST_CASE("link: a flood of hellos gets few answers") {
+TEST_CASE("link: one old hello, again and again, gets few answers and keeps nobody out") {
     Held held;
-    LinkPacket hello;
-    hello.head = {PacketKind::hello, 5, 0, 1, 1, 0, 0};
-    PacketBytes bytes{};
-    const std::size_t size = write_packet(hello, held.pair.seal, bytes);
-    for (int i = 0; i < 200; ++i) {
-        for (int k = 0; k < 20; ++k) {
-            held.pair.channel.end(0).send(0.0, {}, std::span(bytes).first(size));
+    bool linked = false;
+    const auto flood = [&](int n, bool greets) {
+        for (int i = 0; i < n && !linked; ++i) {
+            for (int k = 0; k < 20; ++k) {
+                held.send(test_link::make_hello());
+            }
+            held.pair.now_s += kStep_s;
+            held.pair.server.step(held.pair.now_s);
+            if (greets) {
+                linked =
+                    held.pair.device.greet(held.pair.now_s) && held.pair.device.status().linked;
+                (void)held.pair.device.write(held.pair.now_s, {});
+            }
         }
-        held.pair.now_s += kStep_s;
-        held.pair.server.step(held.pair.now_s);
-    }
+    };
+    flood(200, false);
     CHECK(held.arm().counts.sent <= 11);
     CHECK_FALSE(held.arm().held);
+    flood(1000, true);
+    CHECK(linked);
 }
 
 TEST_CASE("link: settings out of range are refused") {
@@ -284,8 +289,7 @@ TEST_CASE("link: settings out of range are refused") {
 TEST_CASE(
     "link: a flood of packets that nobody takes holds up no step, and who floods more than that "
     "gets a fade") {
-    Held held;
-    held.engage();
+    Engaged held;
     const std::array<std::byte, 40> noise{};
     const auto foreign = [&] { return held.refused(Refusal::foreign); };
     const auto before = foreign();
@@ -298,23 +302,4 @@ TEST_CASE(
     held.run(30);
     CHECK(foreign() - before == 4000);
     CHECK(held.hand.written_D.force.norm() <= 3.0);
-}
-
-TEST_CASE("link: one old hello, again and again, keeps nobody out") {
-    Held held;
-    LinkPacket hello;
-    hello.head = {PacketKind::hello, 5, 0, 1, 1, 0, 0};
-    PacketBytes bytes{};
-    const std::size_t size = write_packet(hello, held.pair.seal, bytes);
-    bool linked = false;
-    for (int i = 0; i < 1000 && !linked; ++i) {
-        for (int k = 0; k < 20; ++k) {
-            held.pair.channel.end(0).send(held.pair.now_s, {}, std::span(bytes).first(size));
-        }
-        held.pair.now_s += kStep_s;
-        held.pair.server.step(held.pair.now_s);
-        linked = held.pair.device.greet(held.pair.now_s) && held.pair.device.status().linked;
-        (void)held.pair.device.write(held.pair.now_s, {});
-    }
-    CHECK(linked);
 }

@@ -4,14 +4,13 @@
 #include <catch2/catch.hpp>
 
 using namespace fulcrum;
+using test_link::Engaged;
 using test_link::Held;
-using test_link::kStep_s;
 
 TEST_CASE("link: good commands that somebody held back are stale, and hold the arm no longer") {
     for (const int every : {1, 50}) {
         CAPTURE(every);
-        Held held;
-        held.engage();
+        Engaged held;
         // They are kept on their way for 60 ms, then given out in order, quickly or slowly; nothing else comes.
         held.pair.tap.keeps = held.pair.tap.cut = true;
         held.run(60);
@@ -32,15 +31,14 @@ TEST_CASE("link: good commands that somebody held back are stale, and hold the a
 }
 
 TEST_CASE("link: a stop at the arm that is lifted while it fades fades on") {
-    Held held;
-    held.engage();
+    Engaged held;
     held.pair.server.stop();
     held.run(5);
     held.pair.server.rearm();
-    double before_N = held.hand.written_D.force.x();
+    double before_N = held.felt_N();
     for (int i = 0; i < 90; ++i) {
         held.run(1);
-        const double now_N = held.hand.written_D.force.x();
+        const double now_N = held.felt_N();
         REQUIRE(before_N - now_N == Approx(0.03).epsilon(0.01));  // 3 N in 100 ms
         before_N = now_N;
     }
@@ -48,38 +46,8 @@ TEST_CASE("link: a stop at the arm that is lifted while it fades fades on") {
     CHECK(held.arm().gate == GatePhase::waiting);
 }
 
-TEST_CASE("link: the least of program, arm's settings and arm holds, of torques too") {
-    const auto reached = [](ScriptedDevice& hand, const LinkDeviceSettings& program) {
-        test_link::LinkPair pair(hand, {}, {}, program);
-        REQUIRE(pair.link());
-        Wrench wrench{};
-        for (int i = 0; i < 6000; ++i) {
-            pair.now_s += kStep_s;
-            pair.server.step(pair.now_s);
-            DeviceReading reading;
-            (void)pair.device.read(pair.now_s, reading);
-            (void)pair.device.write(pair.now_s, wrench);
-            if (i == 200) {
-                wrench = {9.0 * Vector3::UnitX(), 0.9 * Vector3::UnitY()};
-            }
-        }
-        return hand.written_D;
-    };
-    ScriptedDevice hand;
-    const Wrench program = reached(hand, {.max_force_N = 3.0, .max_torque_Nm = 0.1});
-    CHECK(program.force.norm() == Approx(3.0).epsilon(1e-9));
-    CHECK(program.torque.norm() == Approx(0.1).epsilon(1e-9));
-    ScriptedDevice weak;
-    weak.traits_.max_force_N = 2.0;
-    weak.traits_.max_torque_Nm = 0.05;
-    const Wrench own = reached(weak, {.max_force_N = 10.0, .max_torque_Nm = 1.0});
-    CHECK(own.force.norm() == Approx(2.0).epsilon(1e-9));
-    CHECK(own.torque.norm() == Approx(0.05).epsilon(1e-9));
-}
-
 TEST_CASE("link: a command counts from the holder's session to this one alone") {
-    Held held;
-    held.engage();
+    Engaged held;
     struct Wrong {
         std::uint64_t sender, receiver;
     };
@@ -97,11 +65,9 @@ TEST_CASE("link: a command counts from the holder's session to this one alone") 
         packet.command.wrench_D.force.x() = -3.0;
         packet.command.max_force_N = 10.0;
         packet.command.max_slew_N_per_s = 500.0;
-        PacketBytes bytes{};
-        const std::size_t size = write_packet(packet, held.pair.seal, bytes);
-        held.pair.channel.end(0).send(held.pair.now_s, {}, std::span(bytes).first(size));
+        held.send(packet);
         held.run(3);
-        CHECK(held.hand.written_D.force.x() == Approx(3.0));
+        CHECK(held.felt_N() == Approx(3.0));
         CHECK(held.refused(Refusal::stranger) == ++strangers);
     }
 }

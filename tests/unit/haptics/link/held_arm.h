@@ -12,11 +12,28 @@ namespace fulcrum::test_link {
 
 inline constexpr double kStep_s = LinkPair::kStep_s;
 
+inline void send_packet(Datagrams& line, const Seal& seal, const LinkPacket& packet, double now_s) {
+    PacketBytes bytes{};
+    const std::size_t size = write_packet(packet, seal, bytes);
+    line.send(now_s, {}, std::span(bytes).first(size));
+}
+// The hello of a program that nobody knows.
+inline LinkPacket make_hello(std::uint64_t sender = 5, std::int64_t sent_ns = 1) {
+    LinkPacket hello;
+    hello.head = {PacketKind::hello, sender, 0, 1, sent_ns, 0, 0};
+    return hello;
+}
+
 // A program that asks for `wrench` in every round, after a soft start.
 struct Held {
     explicit Held(const LinkFaults& faults = {}, const ArmServerSettings& server = {},
-                  const LinkDeviceSettings& device = {})
-        : pair(hand, faults, server, device) {}
+                  const LinkDeviceSettings& device = {},
+                  const DeviceTraits& arm_traits = ScriptedDevice().traits_)
+        : pair(like(arm_traits), faults, server, device) {}
+    ScriptedDevice& like(const DeviceTraits& traits) {
+        hand.traits_ = traits;
+        return hand;
+    }
 
     void run(int n) {
         for (int i = 0; i < n; ++i) {
@@ -39,6 +56,16 @@ struct Held {
         run(3000);
         REQUIRE(hand.written_D.force.x() == Approx(3.0).epsilon(1e-9));
     }
+    // The gate's phase so many rounds later.
+    GatePhase run_to_gate(int n) {
+        run(n);
+        return arm().gate;
+    }
+    [[nodiscard]] double felt_N() const { return hand.written_D.force.x(); }
+    // Somebody sends so, sealed with the right key; from the program's end or from the arm's.
+    void send(const LinkPacket& packet, int end = 0) {
+        send_packet(pair.channel.end(end), pair.seal, packet, pair.now_s);
+    }
     [[nodiscard]] ArmServerStatus arm() { return pair.server.status(); }
     [[nodiscard]] std::uint64_t refused(Refusal why) {
         return arm().counts.received[static_cast<std::size_t>(why)];
@@ -53,6 +80,15 @@ struct Held {
     bool gives_pose = false;
     bool takes = false;
     int n_poses = 0;
+};
+
+// One that is engaged already.
+struct Engaged : Held {
+    explicit Engaged(const LinkFaults& faults = {}, const ArmServerSettings& server = {},
+                     const LinkDeviceSettings& device = {})
+        : Held(faults, server, device) {
+        engage();
+    }
 };
 
 }  // namespace fulcrum::test_link

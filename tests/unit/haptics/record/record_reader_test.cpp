@@ -21,7 +21,6 @@ struct Damage {
     std::function<void(std::vector<std::byte>&)> happens;
 };
 
-// A block's fields need its checksum to fit, or nobody would look at them.
 void check_each(const std::vector<Damage>& all) {
     for (const Damage& damage : all) {
         CAPTURE(damage.said);
@@ -33,6 +32,7 @@ void check_each(const std::vector<Damage>& all) {
 std::function<void(std::vector<std::byte>&)> put(std::size_t at, std::uint32_t value) {
     return [=](std::vector<std::byte>& bytes) { put_u32(bytes, at, value); };
 }
+// A block's fields need its checksum to fit, or nobody would look at them.
 std::function<void(std::vector<std::byte>&)> put_mended(std::size_t at, std::uint32_t value) {
     return [=](std::vector<std::byte>& bytes) {
         put_u32(bytes, at, value);
