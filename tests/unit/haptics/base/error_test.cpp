@@ -4,8 +4,7 @@
 
 using namespace fulcrum;
 
-TEST_CASE(
-    "error: one sentence says where, what and what to do; parts that are empty leave no trace") {
+TEST_CASE("error: one sentence says where, what and what to do; empty parts leave no trace") {
     CHECK(to_sentence({"the mesh has no triangle", "apple.glb:3", "export it again"}) ==
           "apple.glb:3: the mesh has no triangle; export it again.");
     CHECK(to_sentence({"the mesh has no triangle", "", ""}) == "the mesh has no triangle.");

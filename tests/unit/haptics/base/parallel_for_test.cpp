@@ -8,8 +8,7 @@
 
 using namespace fulcrum;
 
-TEST_CASE(
-    "parallel for: each piece is done once, whatever the threads, and none where there is none") {
+TEST_CASE("parallel for: each piece is done once, whatever the threads, and none of none") {
     for (const std::size_t n_threads : {1U, 2U, 5U}) {
         for (const std::size_t n : {0U, 1U, 63U, 64U, 65U, 10000U}) {
             std::vector<int> done(n, 0);

@@ -159,8 +159,7 @@ TEST_CASE("bounding tree: points on a box's very edge are found") {
     }
 }
 
-TEST_CASE(
-    "bounding tree: along a segment no box that it meets is missed, from near and from very far") {
+TEST_CASE("bounding tree: along a segment no box that it meets is missed, from near and far") {
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     const auto mesh = make_bumpy_sphere(1.0, 10, 0.1, 7.0);

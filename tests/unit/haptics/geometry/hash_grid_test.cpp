@@ -81,8 +81,7 @@ TEST_CASE("hash grid: a segment's way leads through the cells of all its points,
     }
 }
 
-TEST_CASE(
-    "hash grid: a way ends when it is told to, beside the grid it has none, a point has one cell") {
+TEST_CASE("hash grid: a way ends when told to, beside the grid it has none, a point has one cell") {
     const HashGrid grid(kUnit, 0.1);
     int n = 0;
     grid.for_each_along(Vector3(-1.0, 0.03, 0.02), Vector3(1.0, 0.01, 0.04),

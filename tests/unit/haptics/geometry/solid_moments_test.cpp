@@ -60,8 +60,7 @@ TEST_CASE("solid moments: of a tetrahedron anywhere, by its corners' covariance"
     }
 }
 
-TEST_CASE(
-    "solid moments: of a cylinder of n sides in closed form, and the round one's in the limit") {
+TEST_CASE("solid moments: of a cylinder of n sides in closed form, and the round one's limit") {
     for (const int n : {3, 8, 64, 512}) {
         const double radius = 0.05;
         const double length = 0.4;

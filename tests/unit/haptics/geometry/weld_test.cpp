@@ -7,8 +7,7 @@
 namespace fulcrum {
 namespace {
 
-TEST_CASE(
-    "weld: each vertex becomes the first kept one within the tolerance, as found by trying all") {
+TEST_CASE("weld: each vertex becomes the first kept one within the tolerance, as all tried say") {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     for (const double tolerance_m : {0.003, 0.05, 0.3}) {

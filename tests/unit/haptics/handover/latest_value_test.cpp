@@ -66,8 +66,7 @@ void publish(ThriftyWriter<Dated>& writer, int time, std::uint64_t revision, int
 
 }  // namespace
 
-TEST_CASE(
-    "thrifty writer: in every order of takes the newest is whole, however often it is filled") {
+TEST_CASE("thrifty writer: in every order of takes the newest is whole, however often filled") {
     // Two bits a step: publish the same revision, publish the next, take, take.
     for (unsigned order = 0; order < (1U << 16); ++order) {
         LatestValue<Dated> value;

@@ -145,8 +145,7 @@ TEST_CASE("link: a hand that seems to rest is given one encoder's step at a time
     CHECK(arm.held.felt_N() == Approx(kForce_N));
 }
 
-TEST_CASE(
-    "link: the brake ends 50 ms after nothing is asked for, and a new holder begins without debt") {
+TEST_CASE("link: the brake ends 50 ms after nothing is asked for; a new holder has no debt") {
     Unpaid arm;
     const Vector3 x = Vector3::UnitX();
     const Wrench asked{kForce_N * x, Vector3::Zero()};

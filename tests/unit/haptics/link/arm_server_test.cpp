@@ -12,8 +12,7 @@ using test_link::Engaged;
 using test_link::Held;
 using test_link::kStep_s;
 
-TEST_CASE(
-    "link: without a fresh command for 20 ms the arm fades by itself, and comes back softly") {
+TEST_CASE("link: without a fresh command for 20 ms the arm fades, and comes back softly") {
     Engaged held;
     held.commands = false;  // killed, hung, or its cable pulled
     held.run(19);
@@ -136,9 +135,7 @@ TEST_CASE("link: the least of program, run, arm's settings and arm holds, of tor
     }
 }
 
-TEST_CASE(
-    "link: force and torque change no faster than the program tells, nor than this side lets "
-    "them") {
+TEST_CASE("link: force and torque change no faster than the program and this side let them") {
     // What changes by more in a round than this is too fast.
     const auto find_largest = [](double own_N_per_s, double told_N_per_s, double told_N,
                                  double told_Nm) {
@@ -171,8 +168,7 @@ TEST_CASE(
     CHECK(own.torque.x() == Approx(50.0 * kStep_s * 1.0 / 10.0));
 }
 
-TEST_CASE(
-    "link: stop at the arm fades, is told to the program, and stays until it is lifted there") {
+TEST_CASE("link: stop at the arm fades, is told to the program, and stays until it is lifted") {
     Engaged held;
     held.pair.server.stop();
     CHECK(held.run_to_gate(1) == GatePhase::stopped);
@@ -286,9 +282,7 @@ TEST_CASE("link: settings out of range are refused") {
     CHECK_FALSE(validate(settings));
 }
 
-TEST_CASE(
-    "link: a flood of packets that nobody takes holds up no step, and who floods more than that "
-    "gets a fade") {
+TEST_CASE("link: a flood of packets that nobody takes holds up no step; a longer one gets a fade") {
     Engaged held;
     const std::array<std::byte, 40> noise{};
     const auto foreign = [&] { return held.refused(Refusal::foreign); };

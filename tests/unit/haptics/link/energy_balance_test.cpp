@@ -31,9 +31,7 @@ TEST_CASE("energy balance: each side counts what it puts in, in closed form") {
     CHECK(arm.gave_J() == Approx(0.002).epsilon(1e-12));
 }
 
-TEST_CASE(
-    "energy balance: a motion that shows late was gone under the force since the last, or under "
-    "this one") {
+TEST_CASE("energy balance: a late motion was gone under the force since the last, or under this") {
     // 3 mm in three rounds, which show in the last: at the mean of 5 N, for the last gave less, and at the last, for the mean gave less.
     EnergyBalance falls(LinkSide::arm, kNoCredit);
     falls.step(along(8.0), along(0.0), 0.0, kRound_s);
@@ -73,8 +71,7 @@ TEST_CASE("energy balance: what was put in on the other side may come out, and n
     CHECK(arm.excess_J() == 0.0);
 }
 
-TEST_CASE(
-    "energy balance: in debt the arm's force gives no more along the way, and is else as it was") {
+TEST_CASE("energy balance: in debt the arm's force gives no more along the way, else as it was") {
     EnergyBalance arm(LinkSide::arm, kNoCredit);
     const Vector3 force(2.0, 1.0, 0.0);
     const Vector3 motion = along(1.0e-4);
@@ -106,8 +103,7 @@ TEST_CASE("energy balance: the arm's brake takes the excess back in a round like
     CHECK(quiet.compute_damping(motion, kRound_s, 1e9) == 0.0);
 }
 
-TEST_CASE(
-    "energy balance: what a side in debt puts in pays that debt, and is not told as new energy") {
+TEST_CASE("energy balance: what a side in debt puts in pays that debt, and is no new energy") {
     EnergyBalance arm(LinkSide::arm, kNoCredit);
     arm.step(along(1.0), along(0.003), 0.0, kRound_s);   // 3 mJ too much
     arm.step(along(1.0), along(-0.002), 0.0, kRound_s);  // 2 mJ of them back
@@ -152,8 +148,7 @@ TEST_CASE("energy balance: the scene's hand moves on along the force by what was
     CHECK(scene.excess_J() == Approx(0.0036).epsilon(1e-3));
 }
 
-TEST_CASE(
-    "energy balance: a shift goes back for nothing in free space, and else as far as is paid for") {
+TEST_CASE("energy balance: a shift goes back free in free space, and else as far as is paid for") {
     EnergyBalance scene(LinkSide::scene, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
     CHECK(scene.shift_back(Vector3::Zero(), along(-0.002), kRound_s).x() == -0.002);
     CHECK(scene.shift_back(along(-1.0), along(-0.002), kRound_s).x() ==

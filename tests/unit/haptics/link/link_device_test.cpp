@@ -77,8 +77,7 @@ TEST_CASE("link: with a lost link both sides begin anew, under other numbers") {
     CHECK(held.felt_N() == Approx(3.0));
 }
 
-TEST_CASE(
-    "link: an arm that starts again is found again, and another than that is not taken for it") {
+TEST_CASE("link: an arm that starts again is found again, another one is not taken for it") {
     ScriptedDevice hand;
     MemoryChannel channel;
     test_link::HmacSeal seal;
@@ -156,8 +155,7 @@ TEST_CASE("link: lost and late packets are no fault of the loop, whatever the cl
     }
 }
 
-TEST_CASE(
-    "link: poses of one and the same time have one stamp, so that no velocity is without bound") {
+TEST_CASE("link: poses of one time have one stamp, so that no velocity is without bound") {
     Engaged held;
     const double since_s = held.reading.stamp_s;
     held.hand.age_s = 0.0;

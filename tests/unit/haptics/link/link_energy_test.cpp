@@ -20,9 +20,7 @@ double resting_force_N(const LinkTrial& trial) {
 
 }  // namespace
 
-TEST_CASE(
-    "link energy: a wall that a delay makes active throws the hand, and with the balance does "
-    "not") {
+TEST_CASE("link energy: a wall that a delay makes active throws the hand, with the balance not") {
     for (const double delay_s : {0.01, 0.02}) {
         LinkTrial trial{.stiffness_N_per_m = 400.0, .faults = {.delay_s = delay_s}};
         trial.balances_energy = false;
@@ -131,8 +129,7 @@ TEST_CASE("link energy: the brake stays below the least limit, and its debt is p
     }
 }
 
-TEST_CASE(
-    "link energy: slow presses give the hand no more than what is lent, and little at a time") {
+TEST_CASE("link energy: slow presses give the hand no more than is lent, and little at a time") {
     for (const double stiffness : {500.0, 1000.0}) {
         for (const double delay_s : {0.0, 0.01, 0.02, 0.05, 0.095}) {
             const LinkTrial trial = with_slow_presses(

@@ -82,8 +82,7 @@ TEST_CASE("link faults: as much is lost as was asked for, in bursts of just that
     }
 }
 
-TEST_CASE(
-    "link faults: a delay delays, jitter within its bounds, and nothing overtakes without jitter") {
+TEST_CASE("link faults: a delay delays, jitter is within its bounds, and nothing else overtakes") {
     Line line({.delay_s = 0.02});
     line.send(500);
     line.wait(0.1);

@@ -140,9 +140,7 @@ TEST_CASE("link loss: at 500 Hz ten in a row are more than 20 ms, and trip, eith
     }
 }
 
-TEST_CASE(
-    "link loss: an arm at 500 Hz bears ten commands of a program at 1 kHz, and eight of its "
-    "states") {
+TEST_CASE("link loss: an arm at 500 Hz bears ten commands at 1 kHz, and eight of its states") {
     for (int phase = 0; phase < kPhases; ++phase) {
         for (const int n : {8, 10, 18, 21, 30}) {
             CAPTURE(phase, n);
@@ -156,10 +154,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "link loss: a twentieth of all in bursts of ten, or packets up to 4 ms late, are borne at 1 "
-    "and "
-    "2 kHz") {
+TEST_CASE("link loss: a twentieth of all in bursts of ten, or packets 4 ms late, are borne") {
     for (const double rate_Hz : {1000.0, 2000.0}) {
         for (const LinkFaults& faults :
              {LinkFaults{.loss = 0.05, .burst = 10, .seed = 3},

@@ -9,8 +9,7 @@ using namespace fulcrum;
 using test_link::Engaged;
 using test_link::Held;
 
-TEST_CASE(
-    "link: nothing forged, flipped or replayed is taken, and no good one refused afterwards") {
+TEST_CASE("link: nothing forged, flipped or replayed is taken, and no good one refused after it") {
     // The short form; tests/README.md has the long one.
     const char* const asked = std::getenv("FULCRUM_FORGED_PACKETS");
     const int n = asked != nullptr ? std::atoi(asked) : 60'000;

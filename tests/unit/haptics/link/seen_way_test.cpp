@@ -57,8 +57,7 @@ TEST_CASE("seen way: joints that step one after the other show one way") {
     CHECK(direction.y() > 0.5);
 }
 
-TEST_CASE(
-    "seen way: it turns round within three rounds, rests after 50 ms, and takes no nonsense") {
+TEST_CASE("seen way: it turns round within three rounds, rests after 50 ms, takes no nonsense") {
     SeenWay way;
     for (int i = 0; i < 100; ++i) {
         way.step(along(1e-4), kRound_s);

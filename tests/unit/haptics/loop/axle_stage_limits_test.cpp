@@ -35,8 +35,7 @@ TEST_CASE("axle stage: two solids that wedge the hand are pressed no harder than
     CHECK((report.at_W - (Vector3(0.4, 0.07, 0) - 0.02 * up)).norm() < kRounding);
 }
 
-TEST_CASE(
-    "axle stage: a tool turns a body by r x F and its couple, within what the hand may feel") {
+TEST_CASE("axle stage: a tool turns a body by r x F and its couple, within what may be felt") {
     StagedAxle axle(make_beam_and_ball());
     SolidPush pushes[2];
     pushes[0] = {true, Vector3(0.4, 0.05, 0), Vector3(1, -2, 3), Vector3(7, 5, 0.25)};

@@ -143,8 +143,7 @@ TEST_CASE("axle stage: a lesson sets angle and spin once, pivot and load for goo
     CHECK(kept.pivot_W.x() == Approx(0.3));
 }
 
-TEST_CASE(
-    "axle stage: a round thing is turned by its friction alone, and its surface goes with it") {
+TEST_CASE("axle stage: a round thing is turned by friction alone, and its surface goes with it") {
     for (const double friction : {0.0, 1.0}) {
         HapticPlan plan = make_globe();
         plan.solids[0].friction = {.static_coefficient = friction,

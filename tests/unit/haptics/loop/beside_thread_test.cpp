@@ -67,9 +67,7 @@ TEST_CASE("beside thread: rounds with something to do are counted, looks are not
     CHECK(status.p99_s <= status.most_s);
 }
 
-TEST_CASE(
-    "beside thread: a second start and a rate that cannot be are refused, a new start goes on "
-    "counting") {
+TEST_CASE("beside thread: a second start and a bad rate are refused, a new start counts on") {
     EveryThird task;
     BesideThread thread;
     CHECK_FALSE(thread.start(task, 0.0, 0.0));

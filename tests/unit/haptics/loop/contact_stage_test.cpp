@@ -94,9 +94,7 @@ TEST_CASE("contact stage: a wall never pulls, and a proxy without planes has one
     CHECK(stage.touches()[0].solid == 1);
 }
 
-TEST_CASE(
-    "contact stage: shading turns the force and keeps its size; without it the force is the "
-    "spring's") {
+TEST_CASE("contact stage: shading turns the force and keeps its size; else it is the spring's") {
     const auto mesh = touchable(make_sphere(0.05, 3));
     HapticPlan plan;
     plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};

@@ -133,8 +133,7 @@ TEST_CASE("haptic loop: two hands squeeze a box, lift it and turn it") {
     }
 }
 
-TEST_CASE(
-    "haptic loop: a box slips where 2 mu N is less than its weight, and is held where it is more") {
+TEST_CASE("haptic loop: a box slips where 2 mu N is less than its weight, and else is held") {
     for (const double friction : {0.3, 0.6}) {
         INFO("friction " << friction);
         CHECK(hold_with(1.04, friction) < 3.0e-3);

@@ -49,8 +49,7 @@ TEST_CASE("haptic loop: what is not in the plan is not built") {
           "forces: lesson, passivity, limits, write, publish, record, ");
 }
 
-TEST_CASE(
-    "haptic loop: the god-object is built from the plan's solids and holds the tool on a box") {
+TEST_CASE("haptic loop: the god-object is built of the plan's solids and holds the tool on a box") {
     HapticPlan plan = make_lonely_plan();
     plan.solids =
         only_solid(touchable(make_box(Vector3(1, 1, 1))), Pose::at(Vector3(0.0, -0.5, 0.0)));

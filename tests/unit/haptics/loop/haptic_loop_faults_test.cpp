@@ -104,8 +104,7 @@ TEST_CASE("haptic loop: a stamp that goes back is a fault, and motion begins ane
     CHECK(bench.state().tool_twist_W.linear.x() == Approx(-0.2));
 }
 
-TEST_CASE(
-    "haptic loop: a command or a world that is stale, from a second ahead, or was never heard of") {
+TEST_CASE("haptic loop: a command or a world is stale from a second ahead, or if never heard of") {
     for (const bool from_lesson : {true, false}) {
         CAPTURE(from_lesson);
         Bench bench(make_weight_plan());
@@ -196,8 +195,7 @@ TEST_CASE("haptic loop: a clock that is no number is a fault and is not publishe
     }
 }
 
-TEST_CASE(
-    "haptic loop: a silent lesson, a dead one, one that is over, a silent world: each fades") {
+TEST_CASE("haptic loop: a silent lesson, a dead one, one that is over, a silent world: all fade") {
     struct Silence {
         void (*begin)(Bench& bench);
         Fault told;
@@ -263,9 +261,7 @@ TEST_CASE("haptic loop: a full recorder is a fault, an emptied one is none") {
     CHECK(bench.state().faults == Fault::none);
 }
 
-TEST_CASE(
-    "haptic loop: a hand that is faster than may be felt feels nothing, and the force comes back "
-    "softly") {
+TEST_CASE("haptic loop: a hand that is too fast feels nothing, and the force comes back softly") {
     HoldingBench bench;
     go(bench, 4.0, 125);  // and 3 m/s may be
     go(bench, -4.0, 125);

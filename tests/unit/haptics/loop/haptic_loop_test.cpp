@@ -87,8 +87,7 @@ TEST_CASE("haptic loop: fields and a lesson's force add up") {
     CHECK(bench.saw(Fault::command_invalid));
 }
 
-TEST_CASE(
-    "haptic loop: a lesson's torque arrives in the device's frame, is capped and fades with it") {
+TEST_CASE("haptic loop: a lesson's torque arrives in the device's frame, is capped and fades") {
     HapticPlan plan = make_lesson_plan();
     plan.workspace.pose_WD.orientation = compute_exp(Vector3(0.0, 0.0, 1.5707963267948966));
     plan.workspace.scale = 3.0;

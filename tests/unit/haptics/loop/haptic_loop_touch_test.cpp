@@ -53,8 +53,7 @@ struct FloorBench : Bench {
 
 }  // namespace
 
-TEST_CASE(
-    "haptic loop: a touched solid pushes with the coupling's spring; sliding along it is free") {
+TEST_CASE("haptic loop: a touched solid pushes with the coupling's spring; sliding is free") {
     HapticPlan plan = make_floor_plan(7);
     plan.coupling.stiffness_N_per_m = 400.0;
     FloorBench bench(plan);
@@ -79,8 +78,7 @@ TEST_CASE(
     CHECK(bench.state().commanded_W.force.y() == Approx(400.0 * 0.0075 + 2.0 * 0.05).epsilon(1e-6));
 }
 
-TEST_CASE(
-    "haptic loop: with a world the solids stand where the world says, and NaN there is a fault") {
+TEST_CASE("haptic loop: solids stand where the world says, and NaN there is a fault") {
     HapticPlan plan = make_floor_plan();
     plan.expects_world = true;
     FloorBench bench(plan);
@@ -96,8 +94,7 @@ TEST_CASE(
     CHECK(is_finite(bench.device.written_D));
 }
 
-TEST_CASE(
-    "haptic loop: a solid that is put on the hand gives no force, one that moves there does") {
+TEST_CASE("haptic loop: a solid put on the hand gives no force, one that moves there does") {
     HapticPlan plan;
     plan.expects_world = true;
     plan.solids.push_back({0, touchable(make_box(Vector3(0.1, 0.1, 0.1))), {}});
@@ -163,8 +160,7 @@ TEST_CASE("haptic loop: before the world's first frame the solids stand where th
     CHECK(bench.state().proxy_position_W.y() == 0.01);
 }
 
-TEST_CASE(
-    "haptic loop: a bare handle on a wall, and a hand, come to rest at one and five kilohertz") {
+TEST_CASE("haptic loop: a bare handle on a wall, and a hand, come to rest at 1 and 5 kHz") {
     constexpr double kEncoder_m = 5.5e-5;
     SimulatedHandSettings handle;
     handle.mass_kg = 0.05;

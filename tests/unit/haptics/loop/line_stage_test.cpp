@@ -36,8 +36,7 @@ struct LineBench : Kite, Bench {
 
 }  // namespace
 
-TEST_CASE(
-    "line stage: the hand feels the line's pull and its torque, and the kite is told of the hand") {
+TEST_CASE("line stage: the hand feels the line's pull and torque, the kite is told of the hand") {
     LineBench bench;
     bench.run(6000, {2.0, 1.0, 0.0});
     CHECK((bench.written_N() - Vector3(2.0, 1.0, 0.0)).norm() < 1.0e-6);
@@ -46,9 +45,7 @@ TEST_CASE(
     CHECK(bench.kite->hand_W.value() == Vector3::Zero());
 }
 
-TEST_CASE(
-    "line stage: a wind that drops while the hand goes along is none of its doing, and brakes "
-    "nothing") {
+TEST_CASE("line stage: a wind that drops while the hand goes along brakes nothing") {
     LineBench bench;
     bench.run(6000, {4.0, 0.0, 0.0});
     REQUIRE(bench.written_N().norm() > 3.9);
@@ -73,9 +70,7 @@ TEST_CASE("line stage: a kite's loop that falls silent lets go within its fade")
     CHECK(bench.state().faults == Fault::none);
 }
 
-TEST_CASE(
-    "line stage: what the state of the round before would give here is told apart from what is "
-    "new") {
+TEST_CASE("line stage: what the round before would give here is told apart from what is new") {
     const auto channels = std::make_unique<KiteChannels>();
     LineStage stage(LineFeelSettings{}, channels.get());
     LineForce felt;

@@ -120,9 +120,7 @@ TEST_CASE("passivity stage: the device's own friction is counted in the hand") {
     CHECK(stage.force_energy().excess_J == Approx((0.5 - 0.4) * 4e-8 / kDt_s));
 }
 
-TEST_CASE(
-    "passivity stage: without a new pose the brake is held for two rounds, and the way counts with "
-    "its time") {
+TEST_CASE("passivity stage: without a new pose the brake is held for two rounds, the way counted") {
     PassivityStage stage(make_plan(), make_traits());
     const auto wait = [&](double force_N, double x_m) {
         const SceneDemand demand = make_spring(force_N);

@@ -35,8 +35,7 @@ struct Bench : PushedArm {
 
 }  // namespace
 
-TEST_CASE(
-    "push trial: an arm that pushes as it is told moves the hand by F / k, less its friction") {
+TEST_CASE("push trial: an arm that pushes as it is told moves the hand by F / k, less friction") {
     SimulatedArmSettings smooth = arm_held_by(kPosture);
     smooth.dry_friction_N = 0.0;
     Bench bench(Matrix3::Identity(), smooth);
@@ -51,9 +50,7 @@ TEST_CASE(
     CHECK(bench.arm->largest_N <= 1.0);
 }
 
-TEST_CASE(
-    "push trial: with friction, steps and any usual hand the push is felt its way, softly and "
-    "below 1 N") {
+TEST_CASE("push trial: with friction, steps and any usual hand it is felt, softly, below 1 N") {
     for (const HumanImpedance& human : {kArm, kPosture}) {
         Bench bench(Matrix3::Identity(), arm_held_by(human));
         for (const Vector3& way_W :
@@ -152,8 +149,7 @@ TEST_CASE("push trial: slow wandering falls out of two opposite pushes") {
     CHECK(judge(0.002, 0.0041) == PushVerdict::aside);
 }
 
-TEST_CASE(
-    "push trial: settings outside their range are refused, a push of more than 3 N among them") {
+TEST_CASE("push trial: settings outside their range are refused, as a push of more than 3 N") {
     CHECK(validate(PushSettings{}));
     CHECK_FALSE(validate(PushSettings{.force_N = 3.01}));
     CHECK_FALSE(validate(PushSettings{.force_N = std::nan("")}));
@@ -162,8 +158,7 @@ TEST_CASE(
     CHECK_FALSE(validate(PushSettings{.settle_s = 60.0}));
 }
 
-TEST_CASE(
-    "push trial: a push that an arm's own friction takes up is unfelt, whichever way it is wired") {
+TEST_CASE("push trial: a push that an arm's friction takes up is unfelt, however it is wired") {
     SimulatedArmSettings heavy = arm_held_by(kPosture);
     heavy.dry_friction_N = 2.0;
     for (const double sign : {1.0, -1.0}) {

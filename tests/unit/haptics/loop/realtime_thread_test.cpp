@@ -110,8 +110,7 @@ TEST_CASE("realtime thread: rounds that take too long are skipped and counted, n
     CHECK_FALSE(thread.status().has_fifo);
 }
 
-TEST_CASE(
-    "realtime thread: a machine that has slept, or a program that was stopped, begins silent") {
+TEST_CASE("realtime thread: a machine that slept, or a program that was stopped, begins silent") {
     static std::atomic<double> asleep_s{100.0};
     asleep_s = 100.0;
     CountingTask task;
@@ -163,9 +162,7 @@ TEST_CASE("realtime thread: a program that stood still for long begins silent") 
     CHECK(thread.status().pauses >= 1);
 }
 
-TEST_CASE(
-    "realtime thread: bad settings and a second start are refused; it can start again after a "
-    "stop") {
+TEST_CASE("realtime thread: bad settings and a second start are refused; after a stop it starts") {
     CountingTask task;
     RealtimeThread thread;
     RealtimeSettings settings;

@@ -86,8 +86,7 @@ std::vector<std::byte> play_simulated() {
 
 }  // namespace
 
-TEST_CASE(
-    "record and replay: the same run twice gives the same bytes, and the weight was felt in it") {
+TEST_CASE("record and replay: the same run twice gives the same bytes, and the weight was felt") {
     const std::vector<std::byte> first = play_simulated();
     CHECK(first == play_simulated());
     const Expected<Record> record = read_record(first);
@@ -103,9 +102,7 @@ TEST_CASE(
     CHECK(last.pose_D.position.y() < wanted_m - 0.005);
 }
 
-TEST_CASE(
-    "record and replay: the recorded hand played again gives the same poses, forces and events to "
-    "the bit") {
+TEST_CASE("record and replay: the recorded hand played again gives the same run to the bit") {
     const std::vector<std::byte> first = play_simulated();
     ReplayDevice replay(read_record(first).value());
     CHECK(play(replay, nullptr) == first);

@@ -268,8 +268,7 @@ TEST_CASE("safety: NaN, infinity and absurd commands fade, and none of them come
     }
 }
 
-TEST_CASE(
-    "safety: a clock that cannot be trusted gives zero at once; no time passing changes nothing") {
+TEST_CASE("safety: a clock that cannot be trusted gives zero at once; no time changes nothing") {
     for (const double dt_s : {std::numeric_limits<double>::quiet_NaN(), -0.001,
                               std::numeric_limits<double>::infinity()}) {
         SafetyGate gate = open_gate(SafetySettings{}, 4.0);
@@ -280,8 +279,7 @@ TEST_CASE(
     CHECK(gate.pass(along_x(0.0), Fault::none, 0.0).force.x() == 4.0);
 }
 
-TEST_CASE(
-    "safety: the emergency stop fades, latches, and ends only by reset and a new engagement") {
+TEST_CASE("safety: the emergency stop fades, latches, and ends by reset and new engagement") {
     SafetyGate gate = open_gate(SafetySettings{}, 4.0);
     CHECK(gate.pass(along_x(4.0), Fault::emergency_stop, kDt_s).force.x() == Approx(4.0 * 0.99));
     CHECK(gate.phase() == GatePhase::stopped);

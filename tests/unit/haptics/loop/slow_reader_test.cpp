@@ -62,9 +62,7 @@ struct Listened : Rings, Bench {
 
 }  // namespace
 
-TEST_CASE(
-    "slow readers: nobody listens or looks for 15 s, and each force is to the bit as without them; "
-    "what was lost is counted") {
+TEST_CASE("slow readers: nobody listens for 15 s, each force is the same, and losses are counted") {
     constexpr std::uint64_t kRoundsAsleep = 15000;
     Listened slow(true, false);
     Listened alone(false, false);
@@ -101,9 +99,7 @@ TEST_CASE(
     CHECK(slow.touches->dropped() == n_lost);
 }
 
-TEST_CASE(
-    "slow readers: a recorder that sleeps costs the force and no round; every lost one is counted, "
-    "and when it wakes all is back") {
+TEST_CASE("slow readers: a recorder that sleeps costs the force and no round; awake, all is back") {
     constexpr std::uint64_t kRoundsAsleep = 3 * kRecordRingCapacity;
     Listened slow(false, true);
     for (std::uint64_t i = 0; i < kRoundsAsleep; ++i) {

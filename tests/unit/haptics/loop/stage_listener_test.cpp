@@ -70,8 +70,7 @@ TEST_CASE("stage listener: a round that is watched is the same round to the byte
     CHECK(plain.state().applied_W.force.norm() > 0.1);
 }
 
-TEST_CASE(
-    "stage listener: it is told of the stages that were built, in their order, and of no others") {
+TEST_CASE("stage listener: it is told of the stages that were built, in order, and of no others") {
     HapticPlan bare;
     bare.expects_lesson = false;
     for (const HapticPlan& plan : {make_full_plan(), bare}) {

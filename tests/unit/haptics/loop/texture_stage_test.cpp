@@ -102,8 +102,7 @@ std::pair<double, double> stroke_to_and_fro(TextureLaw law, double down_m, doubl
     return {given, ideal};
 }
 
-TEST_CASE(
-    "texture stage: bumps are ideal, and a hand that pumps is lent no more than two of them") {
+TEST_CASE("texture stage: bumps are ideal, and a hand that pumps is lent two of them at most") {
     const auto [given, ideal] = stroke_to_and_fro(TextureLaw::lateral, 0.002, 0.002);
     CHECK(std::abs(given - ideal) < 1.0e-12);
     const auto [pumped, lent] = stroke_to_and_fro(TextureLaw::lateral, 0.004, 0.001);

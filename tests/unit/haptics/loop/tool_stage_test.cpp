@@ -180,9 +180,7 @@ TEST_CASE("tool stage: a solid's velocity is the way between two places it was t
     CHECK(led.stage->pose_W().position == Vector3(0, 0.01, 0));
 }
 
-TEST_CASE(
-    "tool stage: what the tool does to a solid is the other side of what the solid does to the "
-    "tool") {
+TEST_CASE("tool stage: what the tool does to a solid is the other side of what that does to it") {
     LedStage led(make_floor(Vector3(0.03, 0, 0)));
     const auto& stage = led.stage;
     ToolForce felt;

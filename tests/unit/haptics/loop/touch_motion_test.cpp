@@ -68,9 +68,7 @@ TEST_CASE("touch motion: a tap is told once, with the speed along the normal") {
     CHECK(floor.motion.tap().solid == kNoBody);
 }
 
-TEST_CASE(
-    "touch motion: a hand that is laid on, or leaves, does not tap; nor does a plate that goes "
-    "with it") {
+TEST_CASE("touch motion: a hand laid on, or leaving, does not tap; nor a plate that goes with it") {
     Floor floor(make_plan());
     floor.step(Vector3::Zero(), Vector3(0.5, -0.9 * kSlowestTap_m_per_s, 0.0), true);
     CHECK(floor.motion.tap().solid == kNoBody);

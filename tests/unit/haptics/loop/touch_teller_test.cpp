@@ -18,9 +18,7 @@ HapticPlan make_plan() {
 
 }  // namespace
 
-TEST_CASE(
-    "touch teller: of the audible solids the one that is pressed most, once a round, and its end "
-    "once") {
+TEST_CASE("touch teller: the audible solid that is pressed most, once a round, and its end once") {
     const HapticPlan plan = make_plan();
     CHECK(TouchTeller::is_needed(plan));
     CHECK_FALSE(TouchTeller::is_needed(HapticPlan{}));

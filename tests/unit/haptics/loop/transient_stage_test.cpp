@@ -45,8 +45,7 @@ TEST_CASE("transient stage: a tap rings along the normal, as strong as it was fa
     }
 }
 
-TEST_CASE(
-    "transient stage: none without a tap, none in free space, none on a solid that does not ring") {
+TEST_CASE("transient stage: none without a tap, in free space, or on a solid that does not ring") {
     TransientStage stage(make_plan(), {});
     CHECK(TransientStage::is_needed(make_plan()));
     CHECK_FALSE(TransientStage::is_needed(make_plan(TransientKind::none)));

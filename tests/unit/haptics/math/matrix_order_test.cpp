@@ -88,8 +88,7 @@ TEST_CASE("matrix order: three are added from the last, four in two pairs, more 
     }
 }
 
-TEST_CASE(
-    "matrix order: products add from the first, but three of at most three rows from the last") {
+TEST_CASE("matrix order: products add from the first, three of at most three rows from the last") {
     const auto in_order = [](const auto& terms) { return add_in_order(terms); };
     check_product_order<Matrix3, Vector3>(add_three);
     check_product_order<Matrix3, Matrix3>(add_three);

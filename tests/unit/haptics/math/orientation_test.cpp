@@ -10,8 +10,7 @@
 namespace fulcrum {
 namespace {
 
-TEST_CASE(
-    "orientation: a right-handed corner is positive, its mirror image negative, a flat one zero") {
+TEST_CASE("orientation: a right-handed corner is positive, its mirror negative, a flat one zero") {
     const Vector3 o = Vector3::Zero();
     CHECK(orientation(o, Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()) == 1);
     CHECK(orientation(o, Vector3::UnitY(), Vector3::UnitX(), Vector3::UnitZ()) == -1);
@@ -43,9 +42,7 @@ TEST_CASE("orientation: exact where rounding is not: one step of a coordinate de
     CHECK(n_negative > 30);
 }
 
-TEST_CASE(
-    "orientation: agrees with integers on points of a small grid, for any order of the "
-    "points") {
+TEST_CASE("orientation: agrees with integers on a small grid, for any order of the points") {
     std::mt19937_64 random(5);
     std::uniform_int_distribution<int> coordinate(-3, 3);
     const double far = 1048576.0 + 1.0 / 1024.0;  // rounds products, not differences

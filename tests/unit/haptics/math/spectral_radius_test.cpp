@@ -29,8 +29,7 @@ MatrixXd make_pair(double length, double angle_rad) {
 
 }  // namespace
 
-TEST_CASE(
-    "spectral radius: of turns and lengths along a diagonal it is the longest, whatever the axes") {
+TEST_CASE("spectral radius: of turns and lengths along a diagonal it is the longest, on any axes") {
     MatrixXd A = MatrixXd::Zero(7, 7);
     A.block<2, 2>(0, 0) = make_pair(1.25, 0.3);
     A.block<2, 2>(2, 2) = make_pair(0.5, 2.0);

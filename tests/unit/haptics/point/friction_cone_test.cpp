@@ -30,9 +30,7 @@ Vector3 lying(const ProxyContact& contact) {
     return sum;
 }
 
-TEST_CASE(
-    "friction cone: sliding turns into sticking when the hand turns back, and the spring unwinds "
-    "first") {
+TEST_CASE("friction cone: sliding turns into sticking when the hand turns back, unwound first") {
     const auto proxy = cone({plate()});
     proxy->reset({0.0, 0.01, 0.0});
     proxy->step({0.0, -0.01, 0.0}, {});
@@ -61,9 +59,7 @@ TEST_CASE("friction cone: with viscosity alone the drag is b times the speed of 
     CHECK(std::abs(stiffness * lag_m - viscous * speed_m_per_s) <= 1.0e-6);
 }
 
-TEST_CASE(
-    "friction cone: what turns under a still hand carries the proxy round up to the circle's "
-    "edge") {
+TEST_CASE("friction cone: what turns under a still hand carries it round to the circle's edge") {
     const auto proxy = cone({plate({0.5, 0.5, 0.0})});
     const Vector3 hand(0.5, -0.01, 0.0);
     proxy->reset({0.5, 0.01, 0.0});
@@ -89,9 +85,7 @@ TEST_CASE("friction cone: off the edge of a box nothing holds the proxy back") {
     CHECK((contact.position_W - beside).norm() == 0.0);
 }
 
-TEST_CASE(
-    "friction cone: on a ball of triangles the drag is the coefficient times the push all the way "
-    "round") {
+TEST_CASE("friction cone: on a ball of triangles drag is a share of the push all the way round") {
     const SolidPlan ball{
         .body = 0, .shape = touchable(make_sphere(1.0, 60)), .friction = {0.3, 0.3, 0.0}};
     const auto proxy = cone({ball});
@@ -147,8 +141,7 @@ TEST_CASE("friction cone: two solids at once each get their own push and drag") 
     CHECK((lying(contact) - (contact.position_W - Vector3(0.01, -0.02, 0.1505))).norm() <= kExact);
 }
 
-TEST_CASE(
-    "friction cone: in a groove of one solid push and drag account for all that holds the proxy") {
+TEST_CASE("friction cone: in a groove of one solid push and drag are all that holds the proxy") {
     // Two plates that meet along z at right angles, both at 45 degrees.
     const double h = std::sqrt(0.5);
     const auto mesh = touchable(TriangleMesh::build(

@@ -26,9 +26,7 @@ TEST_CASE("friction problem: within the static circle the drag takes all of the 
     CHECK((planes[0].drag - Vector3(-0.049, 0.0, 0.0)).norm() <= kExact);
 }
 
-TEST_CASE(
-    "friction problem: beyond it the drag is the dynamic coefficient times the push, against the "
-    "slip") {
+TEST_CASE("friction problem: beyond it the drag is the dynamic coefficient times the push") {
     std::array planes{ground({0.5, 0.3, 0.0})};
     solve_friction({0.03, -0.1, 0.041}, planes, 1);  // 0.0508 m away, 0.05 would hold
     CHECK_FALSE(planes[0].stuck);
@@ -52,9 +50,7 @@ TEST_CASE("friction problem: the slip is counted from the anchor, and the push f
     CHECK((planes[0].drag - Vector3(-0.02, 0.0, 0.0)).norm() <= kExact);
 }
 
-TEST_CASE(
-    "friction problem: the viscous part grows with the slip that remains, and never turns it "
-    "round") {
+TEST_CASE("friction problem: the viscous part grows with the slip left, and never turns it round") {
     for (const double beta : {0.0, 0.1, 1.0, 50.0}) {
         std::array planes{ground({0.2, 0.1, beta}, false)};
         const Vector3 hand(0.3, -0.1, 0.0);

@@ -73,8 +73,7 @@ TEST_CASE("god object: what it touches takes it along, and over nothing that sta
     CHECK(contact.n_constraints == 2);
 }
 
-TEST_CASE(
-    "god object: carried into a second solid it stays where it was rather than go with that") {
+TEST_CASE("god object: carried into a second solid it stays rather than go with that") {
     // The plate slides under it, towards a wall that moves sideways with a rib on it.
     const auto wall =
         TriangleMesh::build({Vector3(0.2, -1, -1), Vector3(0.2, 1, -1), Vector3(0.2, 1, 1),

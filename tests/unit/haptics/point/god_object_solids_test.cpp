@@ -94,8 +94,7 @@ TEST_CASE("god object: an edge that comes down on it above a plate pushes it out
     CHECK(proxy.n_squeezed() == 0);
 }
 
-TEST_CASE(
-    "god object: pressed flat between two solids it lets one pass, counts that and stays finite") {
+TEST_CASE("god object: pressed flat between two solids it lets one pass, counts it, stays finite") {
     GodObject proxy({plate_plan(Pose::at(Vector3(0.0, -1.0, 0.0))),
                      plate_plan(Pose::at(Vector3(0.0, 1.0, 0.0)))});
     proxy.reset(Vector3::Zero());
@@ -110,8 +109,7 @@ TEST_CASE(
     CHECK(proxy.n_squeezed() <= 2);
 }
 
-TEST_CASE(
-    "god object: a hand that is not a number, not finite or absurdly far leaves it where it was") {
+TEST_CASE("god object: a hand that is not finite or absurdly far leaves it where it was") {
     GodObject proxy({plate_plan()});
     proxy.reset(Vector3(0.1, 0.3, 0.2));
     proxy.step(Vector3(0.1, -0.3, 0.2), {});

@@ -17,8 +17,7 @@ namespace {
 // The claim: positions are those of geometry to this part of the solid's size.
 constexpr double kExact = 1.0e-9;
 
-TEST_CASE(
-    "god object: the whole path scales with the world to the last bit: no tolerance is absolute") {
+TEST_CASE("god object: the whole path scales to the last bit: no tolerance is absolute") {
     const auto trace = [](double scale) {
         GodObject proxy(only_solid(touchable(make_bumpy_sphere(scale, 20, 0.05, 12.0))));
         proxy.reset(scale * Vector3(1.3, 0.0, 0.0));

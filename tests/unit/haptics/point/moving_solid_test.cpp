@@ -32,8 +32,7 @@ TEST_CASE("moving solid: a plane is that of the turned and moved triangle, on th
     }
 }
 
-TEST_CASE(
-    "moving solid: a sweep runs from the place in the solid to where the target lies in it now") {
+TEST_CASE("moving solid: a sweep runs from the place in the solid to the target in it now") {
     MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), Pose{});
     plate.put_proxy(Vector3(0.1, 0.2, 0.3));
     CHECK_FALSE(plate.sweep(Vector3(0.1, 0.1, 0.3)).found());

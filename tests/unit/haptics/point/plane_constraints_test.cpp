@@ -54,8 +54,7 @@ TEST_CASE("plane constraints: an oblique valley in closed form") {
     CHECK((on_right.position - (aside - right.normal.dot(aside) * right.normal)).norm() < 1e-15);
 }
 
-TEST_CASE(
-    "plane constraints: the answer satisfies the conditions of optimality, for random planes") {
+TEST_CASE("plane constraints: the answer satisfies the conditions of optimality, at random") {
     std::mt19937_64 random(41);
     std::normal_distribution<double> normal;
     std::array<int, 4> n_with_active{};

@@ -30,8 +30,7 @@ const ProxyContact& go_down(VirtualProxy& proxy, const Vector3& start_W, const V
     return proxy.contact();
 }
 
-TEST_CASE(
-    "virtual proxy: a box, a cylinder, a capsule and a hull rest by their own height on a floor") {
+TEST_CASE("virtual proxy: a box, a cylinder, a capsule and a hull rest by their own height") {
     const auto hull =
         make_hull_shape({{-0.1, 0, 0}, {0.1, 0, 0}, {0, 0, 0.1}, {0, -0.2, 0}, {0, 0.1, 0}});
     REQUIRE(hull);
@@ -83,8 +82,7 @@ TEST_CASE("virtual proxy: a capsule without length is a ball") {
     }
 }
 
-TEST_CASE(
-    "virtual proxy: plates that turn and fly at 5 m/s do not pass through a cursor of any shape") {
+TEST_CASE("virtual proxy: plates that turn and fly at 5 m/s pass through no cursor of any shape") {
     const auto plate = touchable(make_box(Vector3(0.4, 1.0e-4, 0.4)));
     for (const CursorShape& cursor :
          {CursorShape(BoxShape{{0.01, 0.02, 0.015}}), CursorShape(CylinderShape{0.01, 0.02}),

@@ -7,9 +7,7 @@
 namespace fulcrum {
 namespace {
 
-TEST_CASE(
-    "friction: settings out of their range are refused, and so is a static part below the dynamic "
-    "one") {
+TEST_CASE("friction: settings out of range are refused, and a static part below the dynamic one") {
     CHECK(validate(FrictionSettings{}));
     CHECK(validate(FrictionSettings{0.6, 0.4, 2.0}));
     CHECK(validate(FrictionSettings{5.0, 5.0, 100.0}));

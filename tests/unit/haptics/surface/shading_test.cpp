@@ -52,9 +52,7 @@ std::pair<double, double> sphere_errors_deg(int frequency) {
 
 }  // namespace
 
-TEST_CASE(
-    "shading: of a sphere the error falls with the square of the faces' size, a face's own with "
-    "the size") {
+TEST_CASE("shading: of a sphere the error falls with the square of the faces' size") {
     const auto [flat_8, smooth_8] = sphere_errors_deg(8);
     const auto [flat_16, smooth_16] = sphere_errors_deg(16);
     CHECK(flat_8 > 5.0);
@@ -130,9 +128,7 @@ TEST_CASE("shading: a box keeps its edges below the crease angle, and loses them
     }
 }
 
-TEST_CASE(
-    "shading: it is on the side where the proxy is, and a point beside the triangle gets its "
-    "nearest weights") {
+TEST_CASE("shading: it is on the proxy's side, and a point beside gets its nearest weights") {
     const auto mesh = touchable(make_sphere(0.05, 2));
     const ShadedNormals shaded(mesh, 60.0);
     const Face face(*mesh, 3);

@@ -22,9 +22,7 @@ double response(int m, double nu) {
 
 }  // namespace
 
-TEST_CASE(
-    "stroke filter: waves below the pass edge are felt in full, those above the stop edge not at "
-    "all") {
+TEST_CASE("stroke filter: waves below the pass edge are felt in full, above the stop edge none") {
     for (int m = 1; m <= kMostPerRound; ++m) {
         for (double nu = 0.0; nu <= m - kStrokeStop; nu += 0.001) {
             const double left = response(m, nu);
@@ -56,9 +54,7 @@ TEST_CASE("stroke filter: weights are even, add up to one, and stand in the midd
     CHECK(stroke_weights(99).size() == stroke_weights(kMostPerRound).size());
 }
 
-TEST_CASE(
-    "stroke filter: as many samples as the content needs, and none where nothing is to be "
-    "removed") {
+TEST_CASE("stroke filter: as many samples as the content needs, none where nothing is removed") {
     CHECK(choose_samples_per_round(0.0) == 0);
     CHECK(choose_samples_per_round(kStrokePass) == 0);
     CHECK(choose_samples_per_round(0.31) == 1);

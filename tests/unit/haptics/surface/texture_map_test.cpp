@@ -72,8 +72,7 @@ TEST_CASE("texture map: the slope is the height's derivative, and the height rep
     }));
 }
 
-TEST_CASE(
-    "texture map: a sine of eight samples a wave is itself to 1.2 thousandths, slope and all") {
+TEST_CASE("texture map: a sine of eight samples a wave is itself, slope and all, to 1.2 permille") {
     const double tile_m = 0.016;
     const TextureMap texture(make_wave(64, 8), tile_m, 1.0, 2.0);
     for (int i = 0; i < 500; ++i) {
@@ -123,8 +122,7 @@ TEST_CASE("texture map: levels halve down to one sample, whatever the sides") {
     CHECK(map.memory_bytes() >= sizeof(float) * (39 + 14 + 4 + 2 + 1));
 }
 
-TEST_CASE(
-    "texture map: its extremes are those at the samples and half-way between, whatever the sides") {
+TEST_CASE("texture map: its extremes are those at the samples and half-way, whatever the sides") {
     for (const auto& [n_u, n_v] : {std::pair(1, 1), {2, 1}, {1, 3}, {5, 2}, {3, 7}, {16, 9}}) {
         HeightMap random{.n_u = n_u, .n_v = n_v, .heights = {}};
         for (int i = 0; i < n_u * n_v; ++i) {

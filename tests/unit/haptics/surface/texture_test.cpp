@@ -130,9 +130,7 @@ double work_round(const TextureSettings& settings, double shallow_m, double deep
     return given / moved;
 }
 
-TEST_CASE(
-    "texture: the carved surface is the gradient of a potential, and the thesis' law is where it "
-    "is deep") {
+TEST_CASE("texture: the carved surface is a potential's gradient, and the thesis' law deep in it") {
     constexpr double kDiscretised = 1.0e-4;
     const TextureSettings carved = make_grooves(TextureLaw::height_offset);
     CHECK(std::abs(work_round(carved, 0.5e-4, 1.0e-3)) < kDiscretised);
@@ -170,8 +168,7 @@ TEST_CASE("texture: grooves run across their direction") {
     CHECK(fast.along.u_m == Approx(still.along.u_m).epsilon(1.0e-6));
 }
 
-TEST_CASE(
-    "texture: a hand at rest feels the relief itself, and the filter comes in without a step") {
+TEST_CASE("texture: a hand at rest feels the relief itself, and the filter comes without a step") {
     const Texture texture(make_grooves(TextureLaw::perturbed_normal));
     TextureOffset before = texture.feel({0.0003, 0.0}, {}, 0.001);
     CHECK(

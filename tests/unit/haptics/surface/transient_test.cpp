@@ -111,8 +111,7 @@ TEST_CASE("transient: what is felt is in proportion to the speed of the tap, up 
     }
 }
 
-TEST_CASE(
-    "transient: acceleration matching makes a simulated handle follow the wanted acceleration") {
+TEST_CASE("transient: acceleration matching gives a simulated handle the wanted acceleration") {
     // m x'' + b x' + k x = F from the state that the wanted motion has at the start, in fine steps.
     const HandleModel handle{0.05, 3.0, 400.0};
     const TransientSettings settings = make_settings(TransientKind::acceleration_matching);

@@ -57,9 +57,7 @@ TEST_CASE("triplanar: weights add up to one and turn without a step") {
     }));
 }
 
-TEST_CASE(
-    "triplanar: what is felt of a slope lies along the surface; the law's own normal part is "
-    "kept") {
+TEST_CASE("triplanar: what is felt of a slope lies along the surface; a normal part is kept") {
     static const Texture lateral = make_bumps(TextureLaw::lateral);
     static const Texture carved = make_bumps(TextureLaw::height_offset);
     CHECK(rc::check("for any normal", [] {
