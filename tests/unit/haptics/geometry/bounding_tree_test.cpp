@@ -1,6 +1,7 @@
 #include "haptics/geometry/bounding_tree.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/mesh_corners.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,10 +15,7 @@ namespace fulcrum {
 namespace {
 
 Box box_of(const TriangleMesh& mesh, std::int32_t triangle) {
-    const TriangleCorners& t = mesh.triangles()[static_cast<std::size_t>(triangle)];
-    const Vector3& a = mesh.vertices_B()[static_cast<std::size_t>(t[0])];
-    const Vector3& b = mesh.vertices_B()[static_cast<std::size_t>(t[1])];
-    const Vector3& c = mesh.vertices_B()[static_cast<std::size_t>(t[2])];
+    const auto [a, b, c] = corners_of(mesh, mesh.triangles()[static_cast<std::size_t>(triangle)]);
     return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 

@@ -2,6 +2,7 @@
 
 #include "haptics/geometry/mesh_report.h"
 #include "haptics/math/orientation.h"
+#include "tests/support/mesh_corners.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -16,16 +17,14 @@ TriangleMesh check_hull(const std::vector<Vector3>& points) {
     const auto hull = make_convex_hull(points);
     REQUIRE(hull);
     CHECK(compute_mesh_report(*hull).is_closed());
-    const auto& v = hull->vertices_B();
     for (const TriangleCorners& t : hull->triangles()) {
+        const auto [a, b, c] = corners_of(*hull, t);
         for (const Vector3& point : points) {
-            REQUIRE(orientation(v[static_cast<std::size_t>(t[0])],
-                                v[static_cast<std::size_t>(t[1])],
-                                v[static_cast<std::size_t>(t[2])], point) <= 0);
+            REQUIRE(orientation(a, b, c, point) <= 0);
         }
     }
     // Euler, for a body without holes.
-    CHECK(hull->triangles().size() == 2 * v.size() - 4);
+    CHECK(hull->triangles().size() == 2 * hull->vertices_B().size() - 4);
     return *hull;
 }
 

@@ -1,5 +1,7 @@
 #include "haptics/geometry/height_field.h"
 
+#include "tests/support/mesh_corners.h"
+
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -17,10 +19,7 @@ TEST_CASE("height field: its corners are the grid's points, rows along z, and it
     CHECK(mesh->vertices_B()[5] == Vector3(1.0, 6.0, 2.0));
     REQUIRE(mesh->triangles().size() == 4);
     for (const TriangleCorners& t : mesh->triangles()) {
-        const Vector3& a = mesh->vertices_B()[static_cast<std::size_t>(t[0])];
-        const Vector3& b = mesh->vertices_B()[static_cast<std::size_t>(t[1])];
-        const Vector3& c = mesh->vertices_B()[static_cast<std::size_t>(t[2])];
-        CHECK((b - a).cross(c - a).y() > 0.0);
+        CHECK(front_of(*mesh, t).y() > 0.0);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "haptics/geometry/obb_tree.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/mesh_corners.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -25,10 +26,16 @@ bool are_met(const OrientedBox& box, const Vector3& from, const Vector3& to) {
     return overlaps(box, to_centred(from, to));
 }
 
-std::vector<std::int32_t> all_of(const TriangleMesh& mesh) {
-    std::vector<std::int32_t> all(mesh.triangles().size());
-    std::iota(all.begin(), all.end(), 0);
+std::vector<std::int32_t> count_to(std::size_t n, std::int32_t first = 0) {
+    std::vector<std::int32_t> all(n);
+    std::iota(all.begin(), all.end(), first);
     return all;
+}
+// A box's half sides, from the shortest on.
+std::array<double, 3> find_sizes(const ObbForest& forest, std::int32_t root) {
+    auto sizes = forest.box(root).half_size;
+    std::sort(sizes.begin(), sizes.end());
+    return {sizes[0], sizes[1], sizes[2]};
 }
 
 TEST_CASE("obb tree: each of the six axes of the segment's test keeps a segment away") {
@@ -104,14 +111,13 @@ TEST_CASE("obb tree: a box has the axes along which the surface spreads, and hol
         vertex = turn * vertex + Vector3(10.0, -20.0, 5.0);
     }
     ObbForest forest(vertices, slab->triangles(), 1000);
-    const OrientedBox& box = forest.box(forest.add(all_of(*slab)));
-    auto sizes = box.half_size;
-    std::sort(sizes.begin(), sizes.end());
-    CHECK(static_cast<double>(sizes[0]) == Approx(0.25).margin(1e-5));
-    CHECK(static_cast<double>(sizes[1]) == Approx(1.0).margin(1e-5));
-    CHECK(static_cast<double>(sizes[2]) == Approx(2.0).margin(1e-5));
+    const std::int32_t root = forest.add(count_to(slab->triangles().size()));
+    const auto sizes = find_sizes(forest, root);
+    CHECK(sizes[0] == Approx(0.25).margin(1e-5));
+    CHECK(sizes[1] == Approx(1.0).margin(1e-5));
+    CHECK(sizes[2] == Approx(2.0).margin(1e-5));
     for (const Vector3& vertex : vertices) {
-        CHECK(are_met(box, vertex, vertex));
+        CHECK(are_met(forest.box(root), vertex, vertex));
     }
 }
 
@@ -120,14 +126,12 @@ TEST_CASE("obb tree: a box as it is kept, in single precision, holds every corne
     ObbForest forest(mesh->vertices_B(), mesh->triangles(), 1);
     double worst = -1.0;
     for (std::int32_t first = 0; first + 8 <= 2880; ++first) {
-        std::vector<std::int32_t> some(1 + static_cast<std::size_t>(first % 8));
-        std::iota(some.begin(), some.end(), first);
+        const auto some = count_to(1 + static_cast<std::size_t>(first % 8), first);
         const OrientedBox box = forest.box(forest.add(some));
         for (const std::int32_t triangle : some) {
-            for (const std::int32_t corner :
-                 mesh->triangles()[static_cast<std::size_t>(triangle)]) {
-                const Vector3 place =
-                    box.to_frame(mesh->vertices_B()[static_cast<std::size_t>(corner)]);
+            for (const Vector3& corner :
+                 corners_of(*mesh, mesh->triangles()[static_cast<std::size_t>(triangle)])) {
+                const Vector3 place = box.to_frame(corner);
                 for (std::size_t i = 0; i < 3; ++i) {
                     worst = std::max(worst, std::abs(place[static_cast<Index>(i)]) -
                                                 static_cast<double>(box.half_size[i]));
@@ -155,28 +159,22 @@ TEST_CASE("obb tree: the covariance is that of the surface, not of its corners o
     triangles.push_back({first, first + 2, first + 3});
     triangles.push_back({first, first + 3, first + 1});
     ObbForest forest(vertices, triangles, 1000);
-    std::vector<std::int32_t> all(triangles.size());
-    std::iota(all.begin(), all.end(), 0);
-    const OrientedBox& box = forest.box(forest.add(all));
-    auto sizes = box.half_size;
-    std::sort(sizes.begin(), sizes.end());
-    CHECK(static_cast<double>(sizes[0]) == Approx(0.0).margin(1e-6));
-    CHECK(static_cast<double>(sizes[1]) == Approx(0.5).margin(1e-6));
-    CHECK(static_cast<double>(sizes[2]) == Approx(1.0).margin(1e-6));
+    const auto sizes = find_sizes(forest, forest.add(count_to(triangles.size())));
+    CHECK(sizes[0] == Approx(0.0).margin(1e-6));
+    CHECK(sizes[1] == Approx(0.5).margin(1e-6));
+    CHECK(sizes[2] == Approx(1.0).margin(1e-6));
 }
 
 TEST_CASE("obb tree: every triangle that a segment touches is visited, once, and few others") {
     const auto mesh = make_bumpy_sphere(1.0, 20, 0.05, 9.0);
     ObbForest forest(mesh->vertices_B(), mesh->triangles(), 2);
-    const std::int32_t root = forest.add(all_of(*mesh));
+    const std::int32_t root = forest.add(count_to(mesh->triangles().size()));
     Random random(10);
     std::size_t n_visited = 0;
     for (int i = 0; i < 500; ++i) {
         const auto& t = mesh->triangles()[random.integer() % mesh->triangles().size()];
-        const Vector3 centre = (mesh->vertices_B()[static_cast<std::size_t>(t[0])] +
-                                mesh->vertices_B()[static_cast<std::size_t>(t[1])] +
-                                mesh->vertices_B()[static_cast<std::size_t>(t[2])]) /
-                               3.0;
+        const auto [a, b, c] = corners_of(*mesh, t);
+        const Vector3 centre = (a + b + c) / 3.0;
         const Vector3 way = 0.05 * random.in_cube();
         std::set<std::int32_t> found;
         forest.for_each_met(root, to_centred(centre - way, centre + way),
@@ -192,9 +190,7 @@ TEST_CASE("obb tree: triangles that all have one centre are halved by number") {
     const std::vector<Vector3> vertices{{1.0, 0.0, 0.0}, {-0.5, 0.8, 0.0}, {-0.5, -0.8, 0.0}};
     const std::vector<TriangleCorners> triangles(100, {0, 1, 2});
     ObbForest forest(vertices, triangles, 1);
-    std::vector<std::int32_t> all(100);
-    std::iota(all.begin(), all.end(), 0);
-    const std::int32_t root = forest.add(all);
+    const std::int32_t root = forest.add(count_to(triangles.size()));
     int n_visited = 0;
     forest.for_each_met(root, to_centred(Vector3(0.0, 0.0, 1.0), Vector3(0.0, 0.0, -1.0)),
                         [&](std::int32_t) { ++n_visited; });

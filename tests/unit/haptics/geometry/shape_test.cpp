@@ -1,6 +1,7 @@
 #include "haptics/geometry/shape.h"
 
 #include "haptics/geometry/mesh_report.h"
+#include "tests/support/mesh_corners.h"
 
 #include <catch2/catch.hpp>
 
@@ -100,23 +101,17 @@ TEST_CASE("shape: sizes and places are as documented") {
 }
 
 TEST_CASE("shape: fronts look outwards, those of the plate up, and inverted ones the other way") {
-    const auto front_of = [](const TriangleMesh& mesh, std::size_t i) -> Vector3 {
-        const TriangleCorners& t = mesh.triangles()[i];
-        const Vector3& a = mesh.vertices_B()[static_cast<std::size_t>(t[0])];
-        return (mesh.vertices_B()[static_cast<std::size_t>(t[1])] - a)
-            .cross(mesh.vertices_B()[static_cast<std::size_t>(t[2])] - a);
-    };
     const auto plate = make_plate(1.0, 1.0, 2);
     const auto sphere = make_sphere(1.0, 4);
     const auto inverted = make_inverted(*sphere);
-    for (std::size_t i = 0; i < plate->triangles().size(); ++i) {
-        REQUIRE(front_of(*plate, i).y() > 0.0);
+    for (const TriangleCorners& t : plate->triangles()) {
+        REQUIRE(front_of(*plate, t).y() > 0.0);
     }
     for (std::size_t i = 0; i < sphere->triangles().size(); ++i) {
-        const Vector3& corner =
-            sphere->vertices_B()[static_cast<std::size_t>(sphere->triangles()[i][0])];
-        REQUIRE(front_of(*sphere, i).dot(corner) > 0.0);
-        REQUIRE(front_of(*inverted, i).dot(corner) < 0.0);
+        const TriangleCorners& t = sphere->triangles()[i];
+        const Vector3 corner = corners_of(*sphere, t)[0];
+        REQUIRE(front_of(*sphere, t).dot(corner) > 0.0);
+        REQUIRE(front_of(*inverted, inverted->triangles()[i]).dot(corner) < 0.0);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 using namespace fulcrum;
 
@@ -36,31 +37,26 @@ TEST_CASE("materials: all that are promised ship, are good, and have names of th
 }
 
 TEST_CASE("materials: what people say of them is true of their numbers") {
-    for (const char* hard : {"wood", "metal", "rock", "glass"}) {
-        INFO(hard);
-        CHECK(facts_of(hard).hardness >= kGradeMiddle);
-    }
-    CHECK(facts_of("rubber").hardness < kGradeMiddle);
-    for (const char* rough : {"rock", "sandpaper", "wood"}) {
-        INFO(rough);
-        CHECK(facts_of(rough).roughness >= kGradeMiddle);
-    }
-    for (const char* smooth : {"metal", "glass", "paper", "rubber"}) {
-        INFO(smooth);
-        CHECK(facts_of(smooth).roughness < kGradeMiddle);
-    }
-    for (const char* slippery : {"metal", "glass"}) {
-        INFO(slippery);
-        CHECK(facts_of(slippery).slipperiness >= kGradeMiddle);
-    }
-    for (const char* sticky : {"rubber", "sandpaper"}) {
-        INFO(sticky);
-        CHECK(facts_of(sticky).slipperiness < kStickyBelow);
-    }
-    for (const char* neither : {"wood", "rock"}) {
-        INFO(neither);
-        CHECK(facts_of(neither).slipperiness >= kStickyBelow);
-        CHECK(facts_of(neither).slipperiness < kGradeMiddle);
+    struct Said {
+        double MaterialFacts::*grade;
+        double low, high;  // from, and below
+        std::vector<const char*> names;
+    };
+    constexpr double kAny = 2.0;
+    const Said all[] = {
+        {&MaterialFacts::hardness, kGradeMiddle, kAny, {"wood", "metal", "rock", "glass"}},
+        {&MaterialFacts::hardness, 0.0, kGradeMiddle, {"rubber"}},
+        {&MaterialFacts::roughness, kGradeMiddle, kAny, {"rock", "sandpaper", "wood"}},
+        {&MaterialFacts::roughness, 0.0, kGradeMiddle, {"metal", "glass", "paper", "rubber"}},
+        {&MaterialFacts::slipperiness, kGradeMiddle, kAny, {"metal", "glass"}},
+        {&MaterialFacts::slipperiness, 0.0, kStickyBelow, {"rubber", "sandpaper"}},
+        {&MaterialFacts::slipperiness, kStickyBelow, kGradeMiddle, {"wood", "rock"}}};
+    for (const Said& said : all) {
+        for (const char* name : said.names) {
+            CAPTURE(name, said.low, said.high);
+            CHECK(facts_of(name).*said.grade >= said.low);
+            CHECK(facts_of(name).*said.grade < said.high);
+        }
     }
 }
 
