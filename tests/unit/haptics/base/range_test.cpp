@@ -1,8 +1,8 @@
 #include "haptics/base/range.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/bad_numbers.h"
 
-#include <limits>
+#include <catch2/catch.hpp>
 
 using namespace fulcrum;
 
@@ -21,6 +21,6 @@ TEST_CASE("range: both bounds are inside, the first number that is not is named 
     CHECK(refused.error().what_to_do == "set it within that range");
     CHECK(check(0.0, 0.4).error().message ==
           "the box's width in metres is 0.4, outside the range 0.5 to 0.5");
-    CHECK_FALSE(check(std::numeric_limits<double>::quiet_NaN(), 0.5));
-    CHECK_FALSE(check(-std::numeric_limits<double>::infinity(), 0.5));
+    CHECK_FALSE(check(kNan, 0.5));
+    CHECK_FALSE(check(-kInfinity, 0.5));
 }

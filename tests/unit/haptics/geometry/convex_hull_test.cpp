@@ -2,12 +2,11 @@
 
 #include "haptics/geometry/mesh_report.h"
 #include "haptics/math/orientation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/mesh_corners.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
-
-#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -73,8 +72,7 @@ TEST_CASE("convex hull: a cloud without thickness, too few points and NaN are re
     CHECK_FALSE(make_convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {3, 7, 0}}));
     CHECK_FALSE(make_convex_hull({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}));
     CHECK_FALSE(make_convex_hull({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}));
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_FALSE(make_convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {nan, 0, 0}}));
+    CHECK_FALSE(make_convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {kNan, 0, 0}}));
     CHECK(make_convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})->triangles().size() == 4);
 }
 

@@ -1,10 +1,9 @@
 #include "haptics/geometry/height_field.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/support/mesh_corners.h"
 
 #include <catch2/catch.hpp>
-
-#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -29,8 +28,7 @@ TEST_CASE("height field: sizes and counts out of range are refused") {
     CHECK_FALSE(make_height_field({.depth_m = -1.0}));
     CHECK_FALSE(make_height_field({.n_x = 1, .heights_m = {0.0, 0.0}}));
     CHECK_FALSE(make_height_field({.n_x = 3}));
-    CHECK_FALSE(make_height_field(
-        {.heights_m = {0.0, 0.0, 0.0, std::numeric_limits<double>::quiet_NaN()}}));
+    CHECK_FALSE(make_height_field({.heights_m = {0.0, 0.0, 0.0, kNan}}));
 }
 
 }  // namespace

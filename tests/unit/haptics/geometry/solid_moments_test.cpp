@@ -2,13 +2,13 @@
 
 #include "haptics/geometry/convex_hull.h"
 #include "haptics/geometry/shape.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace fulcrum {
@@ -166,8 +166,7 @@ TEST_CASE("principal axes: equal moments keep the tensor's own axes, rounding be
     CHECK((rod.orientation * Vector3::UnitX()).isApprox(Vector3::UnitZ()));
     // Nothing, and no number: no axes are sought, and nothing is hidden.
     CHECK(compute_principal_axes(Matrix3::Zero()).moments == Vector3::Zero());
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_FALSE(compute_principal_axes(Matrix3::Constant(nan)).moments.allFinite());
+    CHECK_FALSE(compute_principal_axes(Matrix3::Constant(kNan)).moments.allFinite());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "haptics/geometry/triangle_mesh.h"
 
+#include "tests/support/bad_numbers.h"
+
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -24,9 +26,7 @@ TEST_CASE("triangle mesh: a good mesh is taken as it is") {
 }
 
 TEST_CASE("triangle mesh: bad input is refused with the place and the number") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinity = std::numeric_limits<double>::infinity();
-    for (const double bad : {nan, infinity, -infinity, 2.0e30}) {
+    for (const double bad : {kNan, kInfinity, -kInfinity, 2.0e30}) {
         auto vertices = corner_points();
         vertices[2].y() = bad;
         const auto mesh = TriangleMesh::build(vertices, kTetrahedron, {}, "apple.glb");
@@ -44,7 +44,7 @@ TEST_CASE("triangle mesh: bad input is refused with the place and the number") {
     CHECK_FALSE(TriangleMesh::build({}, {}));
     CHECK_FALSE(TriangleMesh::build(corner_points(), {}));
     CHECK_FALSE(TriangleMesh::build(corner_points(), {{0, 0, 1}}));
-    for (const double bad : {nan, -1e-9, 0.02}) {
+    for (const double bad : {kNan, -1e-9, 0.02}) {
         CHECK_FALSE(TriangleMesh::build(corner_points(), kTetrahedron, {.weld_relative = bad}));
     }
 }

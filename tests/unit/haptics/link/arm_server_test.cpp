@@ -1,10 +1,10 @@
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/link/held_arm.h"
 #include "tests/unit/haptics/loop/device_faults.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <limits>
 #include <optional>
 
 using namespace fulcrum;
@@ -266,16 +266,15 @@ TEST_CASE("link: one old hello, again and again, gets few answers and keeps nobo
 }
 
 TEST_CASE("link: settings out of range are refused") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(validate(LinkDeviceSettings{}));
     CHECK(validate(ArmServerSettings{}));
     CHECK_FALSE(validate(LinkDeviceSettings{.max_force_N = 11.0}));
-    CHECK_FALSE(validate(LinkDeviceSettings{.lost_after_s = nan}));
+    CHECK_FALSE(validate(LinkDeviceSettings{.lost_after_s = kNan}));
     CHECK_FALSE(validate(LinkDeviceSettings{.most_round_trip_s = 0.0}));
     CHECK_FALSE(validate(ArmServerSettings{.rate_Hz = 100.0}));
     CHECK_FALSE(validate(ArmServerSettings{.handle_mass_kg = 0.0}));
     ArmServerSettings settings;
-    settings.safety.fade_s = nan;
+    settings.safety.fade_s = kNan;
     CHECK_FALSE(validate(settings));
     settings = {};
     settings.reach_m.y() = -1.0;

@@ -1,9 +1,10 @@
 #include "haptics/link/energy_balance.h"
 
+#include "tests/support/bad_numbers.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -195,13 +196,12 @@ TEST_CASE("energy balance: credit that nobody uses fades by 1 - T / memory a rou
 }
 
 TEST_CASE("energy balance: what is not finite and sums that shrink are not counted") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     EnergyBalance arm(LinkSide::arm, kNoCredit);
-    arm.step(along(nan), along(1.0), 0.0, kRound_s);
-    arm.step(along(1.0), along(nan), 0.0, kRound_s);
-    arm.step(along(1.0), along(1.0), nan, kRound_s);
+    arm.step(along(kNan), along(1.0), 0.0, kRound_s);
+    arm.step(along(1.0), along(kNan), 0.0, kRound_s);
+    arm.step(along(1.0), along(1.0), kNan, kRound_s);
     arm.step(along(1.0), along(1.0), 0.0, 0.0);
-    arm.step(along(1.0), along(1.0), 0.0, nan);
+    arm.step(along(1.0), along(1.0), 0.0, kNan);
     CHECK(arm.gave_J() == 0.0);
     CHECK(arm.excess_J() == 0.0);
     // A sum that shrinks and grows again by as much is no new energy.
@@ -234,10 +234,9 @@ TEST_CASE("energy balance: a new session begins with no sums, no debt and no for
 }
 
 TEST_CASE("energy balance: settings out of range are refused") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(validate(EnergyBalanceSettings{}));
     CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = -1e-9}));
-    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = nan}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = kNan}));
     CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 0.0}));
     CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 11.0}));
 }

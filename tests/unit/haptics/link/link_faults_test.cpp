@@ -1,11 +1,11 @@
 #include "haptics/link/link_faults.h"
 
 #include "haptics/link/memory_channel.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -141,10 +141,9 @@ TEST_CASE("link faults: what finds no room is lost and counted") {
 }
 
 TEST_CASE("link faults: settings out of range are refused") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(validate(LinkFaults{}));
     CHECK_FALSE(validate(LinkFaults{.loss = 1.01}));
-    CHECK_FALSE(validate(LinkFaults{.loss = nan}));
+    CHECK_FALSE(validate(LinkFaults{.loss = kNan}));
     CHECK_FALSE(validate(LinkFaults{.burst = 0}));
     CHECK_FALSE(validate(LinkFaults{.delay_s = -0.1}));
     CHECK_FALSE(validate(LinkFaults{.corrupt = 1.1}));

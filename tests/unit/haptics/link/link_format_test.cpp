@@ -1,11 +1,11 @@
 #include "haptics/link/link_format.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/link.h"
 
 #include <catch2/catch.hpp>
 
-#include <limits>
 #include <rapidcheck.h>
 
 using namespace fulcrum;
@@ -186,8 +186,6 @@ TEST_CASE("link format: each refusal says why") {
 
 TEST_CASE("link format: who has the key may not say what cannot be") {
     const HmacSeal seal;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinity = std::numeric_limits<double>::infinity();
     const auto why = [&](PacketKind kind, auto&& spoil) {
         LinkPacket packet = make_packet(kind);
         spoil(packet);
@@ -202,7 +200,7 @@ TEST_CASE("link format: who has the key may not say what cannot be") {
     CHECK(why(PacketKind::hello, [](P p) { p.head.sent_ns = INT64_MAX; }) == absurd);
     CHECK(why(PacketKind::hello, [](P p) { p.head.echoed_ns = -1; }) == absurd);
     CHECK(why(PacketKind::hello, [](P p) { p.head.held_ns = -1; }) == absurd);
-    for (const double bad : {nan, infinity, -infinity, 1e300}) {
+    for (const double bad : {kNan, kInfinity, -kInfinity, 1e300}) {
         CHECK(why(PacketKind::state, [&](P p) { p.state.pose_D.position.y() = bad; }) == absurd);
         CHECK(why(PacketKind::state, [&](P p) { p.state.pose_D.orientation.w() = bad; }) == absurd);
         CHECK(why(PacketKind::state, [&](P p) { p.state.twist_D.linear.x() = bad; }) == absurd);
@@ -227,7 +225,7 @@ TEST_CASE("link format: who has the key may not say what cannot be") {
     CHECK(why(PacketKind::state, [](P p) { p.state.gate = static_cast<GatePhase>(5); }) == absurd);
     CHECK(why(PacketKind::welcome, [](P p) { p.traits.taken = 2; }) == absurd);
     // Of the parts that are not in a packet nothing is asked.
-    CHECK(why(PacketKind::state, [&](P p) { p.command.max_force_N = nan; }) == Refusal::none);
+    CHECK(why(PacketKind::state, [&](P p) { p.command.max_force_N = kNan; }) == Refusal::none);
 }
 
 TEST_CASE("link format: a name is cut between characters") {

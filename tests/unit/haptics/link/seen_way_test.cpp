@@ -1,9 +1,10 @@
 #include "haptics/link/seen_way.h"
 
+#include "tests/support/bad_numbers.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -73,9 +74,9 @@ TEST_CASE("seen way: it turns round within three rounds, rests after 50 ms, take
     CHECK(way.velocity().isZero(0.0));
     way.step(along(1e-4), kRound_s);
     const Vector3 before = way.velocity();
-    way.step(along(std::numeric_limits<double>::quiet_NaN()), kRound_s);
+    way.step(along(kNan), kRound_s);
     way.step(along(1.0), 0.0);
-    way.step(along(1.0), std::numeric_limits<double>::quiet_NaN());
+    way.step(along(1.0), kNan);
     CHECK(way.velocity() == before);
     way.reset();
     CHECK(way.velocity().isZero(0.0));

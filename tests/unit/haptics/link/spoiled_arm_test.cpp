@@ -1,12 +1,12 @@
 #include "haptics/link/spoiled_arm.h"
 
 #include "haptics/loop/haptic_loop.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -196,9 +196,8 @@ TEST_CASE("spoiled arm: limits are the least of run and arm, and any that is pas
     CHECK(find(along(0.0, 0.0), along(0.51, 0.0)) == FeltLimit::slew);
     CHECK(find(along(2.0, 0.0), along(-1.0, 0.0)) == FeltLimit::slew);
     CHECK(find(along(0.0, 0.0), along(0.0, 0.026)) == FeltLimit::torque_slew);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(find(along(0.0, 0.0), along(nan, 0.0)) == FeltLimit::force);
-    CHECK(find(along(0.0, 0.0), along(0.0, nan)) == FeltLimit::torque);
+    CHECK(find(along(0.0, 0.0), along(kNan, 0.0)) == FeltLimit::force);
+    CHECK(find(along(0.0, 0.0), along(0.0, kNan)) == FeltLimit::torque);
 }
 
 TEST_CASE("spoiled arm: one seed, one run, to the bit") {

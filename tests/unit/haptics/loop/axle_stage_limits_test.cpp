@@ -1,10 +1,10 @@
 // What an axle takes from a hand, a tool and a lesson, and what it leaves.
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/axle_stage_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -94,11 +94,10 @@ TEST_CASE("axle stage: of an order, what cannot be is left out, and the rest is 
     StagedAxle axle(make_beam());
     axle.order.is_set = true;
     const double far_m = 2.0 * kFarthestOnAxle_m;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const double orders[][4] = {// where and how much, and what is carried out of it
                                 {0.1, 3.0, 0.1, 3.0},
                                 {far_m, 5.0, 0.1, 5.0},
-                                {0.2, nan, 0.2, 5.0},
+                                {0.2, kNan, 0.2, 5.0},
                                 {0.2, -1.0, 0.2, 0.0},
                                 {0.2, 1e9, 0.2, kMostAxleLoad_N}};
     for (const auto& [pivot_m, load_N, stands_m, hangs_N] : orders) {

@@ -1,19 +1,17 @@
 #include "haptics/loop/axle_stage.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/axle_stage_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 using namespace fulcrum;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // A loop whose plan has an axle, led by a hand; the lesson lives.
 struct TurnedByLoop {

@@ -1,6 +1,7 @@
 #include "haptics/loop/body_stage.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/axle_stage_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 using namespace fulcrum;
@@ -35,12 +35,29 @@ struct StagedBody {
             Pose::at(at_W), {velocity_W, Vector3::Zero()}, behind_s, true, n_placements};
         channels->frame.publish(frame);
     }
+    void tell(const RigidFrame& frame) { channels->frame.publish(frame); }
     Pose felt(double now_s) {
         const Pose rest[] = {Pose::at({7.0, 0.0, 0.0}), Pose::at({9.0, 0.0, 0.0})};
         const auto poses_W = stage.place(rest, now_s);
         REQUIRE(poses_W.size() == 2);
         CHECK(poses_W[0].position.x() == 7.0);
         return poses_W[1];
+    }
+    // A hand at its top that presses the button, so that it grips.
+    void grip_top(const GrippingHand& hand) {
+        (void)stage.grip(make_contact({0.0, 0.1, 0.0}, Vector3::UnitY(), 1), hand);
+    }
+    // Pushed at its left side; what the world hears of it.
+    const HandPushes& push(double force_N, double now_s, double most_N = 4.0, double at_m = 0.1,
+                           std::int32_t solid = 1) {
+        stage.push(make_contact({at_m, 0.0, 0.0}, Vector3::UnitX(), solid),
+                   make_push({force_N, 0.0, 0.0}, most_N), now_s);
+        return told();
+    }
+    // Nothing is touched; what the world hears of a grip.
+    const HandPushes& push_nothing(double most_N, double now_s = 1.002) {
+        stage.push({}, make_push(Vector3::Zero(), most_N), now_s);
+        return told();
     }
     const HandPushes& told() {
         REQUIRE(channels->pushes.take());
@@ -55,13 +72,18 @@ struct StagedBody {
 TEST_CASE("body stage: a body is where its newest frame says, moved on by its velocity") {
     StagedBody body;
     CHECK(body.felt(0.0).position.x() == 9.0);
-    CHECK(body.stage.age_s(0.0) == std::numeric_limits<double>::infinity());
+    CHECK(body.stage.age_s(0.0) == kInfinity);
     body.tell(1.0, {0.3, 0.0, 0.0}, {2.0, 0.0, 0.0}, 0, 0.004);
     CHECK(body.felt(1.01).position.x() == Approx(0.3 + 2.0 * 0.014));
     CHECK(body.felt(1.03).position.x() == Approx(0.3 + 2.0 * 0.034));
     CHECK(body.stage.age_s(1.03) == Approx(0.03));
     // Not for ever.
     CHECK(body.felt(9.0).position.x() == Approx(0.3 + 2.0 * 0.125));
+    // A frame of a time to come is as old as one of a time that long ago.
+    StagedBody early;
+    early.tell(11.0, Vector3::Zero(), Vector3::Zero());
+    (void)early.felt(1.0);
+    CHECK(early.stage.age_s(1.0) == Approx(10.0));
 }
 
 TEST_CASE("body stage: in a world that keeps half the time a body moves on half as fast") {
@@ -70,7 +92,7 @@ TEST_CASE("body stage: in a world that keeps half the time a body moves on half 
     frame.stamp_s = 1.0;
     frame.rate = 0.5;
     frame.solids[1] = {Pose{}, {{2.0, 0.0, 0.0}, {0.0, 4.0, 0.0}}, 0.0, true, 0};
-    body.channels->frame.publish(frame);
+    body.tell(frame);
     const Pose felt_W = body.felt(1.02);
     CHECK(felt_W.position.x() == Approx(0.5 * 2.0 * 0.02));
     CHECK(compute_log(felt_W.orientation).y() == Approx(0.5 * 4.0 * 0.02));
@@ -82,7 +104,7 @@ TEST_CASE("body stage: in a world that keeps half the time a body moves on half 
     for (const double rate : {-0.1, 1.1, std::nan("")}) {
         frame.stamp_s = 1.03;
         frame.rate = rate;
-        body.channels->frame.publish(frame);
+        body.tell(frame);
         (void)body.felt(1.03);
         CHECK(body.stage.age_s(1.03) == Approx(0.03));
     }
@@ -93,7 +115,7 @@ TEST_CASE("body stage: it turns on as well") {
     RigidFrame frame;
     frame.stamp_s = 1.0;
     frame.solids[1] = {Pose{}, {Vector3::Zero(), {0.0, 3.0, 0.0}}, 0.0, true, 0};
-    body.channels->frame.publish(frame);
+    body.tell(frame);
     const Quaternion turn = body.felt(1.05).orientation;
     CHECK(turn.angularDistance(compute_exp(Vector3(0.0, 0.15, 0.0))) < 1.0e-9);
 }
@@ -160,7 +182,7 @@ TEST_CASE("body stage: what was put elsewhere is there at once, and the proxy is
     CHECK(body.stage.put() == 2U);
     RigidFrame gone = body.channels->frame.value();
     gone.solids[1].is_present = false;
-    body.channels->frame.publish(gone);
+    body.tell(gone);
     CHECK(body.felt(1.03).position.y() < -1.0e3);
     CHECK(body.stage.put() == 2U);
 }
@@ -172,39 +194,26 @@ TEST_CASE("body stage: a frame with what is no number in it is passed over") {
     body.tell(1.1, Vector3::Constant(std::nan("")), Vector3::Zero());
     CHECK(body.felt(1.1).position.x() == 0.1);
     CHECK(body.stage.age_s(1.1) == Approx(0.1));
-    const double nan = std::nan("");
-    const double infinite = std::numeric_limits<double>::infinity();
-    for (const double stamp_s : {nan, infinite, -1.0}) {
-        body.tell(stamp_s, Vector3::Zero(), Vector3::Zero());
+    for (const double bad_s : {std::nan(""), kInfinity, -0.01}) {
+        body.tell(bad_s, Vector3::Zero(), Vector3::Zero());
         CHECK(body.felt(1.1).position.x() == 0.1);
-    }
-    for (const double behind_s : {nan, infinite, -0.01}) {
-        body.tell(1.1, Vector3::Zero(), Vector3::Zero(), 0, behind_s);
+        body.tell(1.1, Vector3::Zero(), Vector3::Zero(), 0, bad_s);
         CHECK(body.felt(1.1).position.x() == 0.1);
     }
     RigidFrame garbled;
     garbled.stamp_s = 1.1;
     garbled.solids[1].is_present = true;
     garbled.solids[1].pose_W.orientation = Quaternion(0.9, 0.0, 0.0, 0.0);
-    body.channels->frame.publish(garbled);
+    body.tell(garbled);
     CHECK(body.felt(1.1).position.x() == 0.1);
     CHECK(body.stage.age_s(1.1) == Approx(0.1));
-}
-
-TEST_CASE("body stage: a frame of a time to come is as old as one of a time that long ago") {
-    StagedBody body;
-    body.tell(11.0, Vector3::Zero(), Vector3::Zero());
-    (void)body.felt(1.0);
-    CHECK(body.stage.age_s(1.0) == Approx(10.0));
 }
 
 TEST_CASE("body stage: the world hears of a push with its place and its slopes, cut off with it") {
     StagedBody body;
     body.tell(1.0, Vector3::Zero(), Vector3::Zero());
     (void)body.felt(1.0);
-    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 1),
-                    {Vector3(8.0, 0.0, 0.0), Vector3(8.0, 0.0, 0.0), 4.0}, 1.0);
-    const HandPushes& told = body.told();
+    const HandPushes& told = body.push(8.0, 1.0);
     REQUIRE(told.count == 1);
     CHECK(told.stamp_s == 1.0);
     const RigidPush& push = told.pushes[0];
@@ -219,18 +228,14 @@ TEST_CASE("body stage: the world hears of a push with its place and its slopes, 
     CHECK(push.hold.bounds.most_N == Approx(4.0));
     CHECK(push.hold.bounds.friction_N == 0.0);
     // What is no rigid body is not the world's.
-    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 0),
-                    {Vector3(8.0, 0.0, 0.0), Vector3(8.0, 0.0, 0.0), 4.0}, 1.001);
-    CHECK(body.told().count == 0);
+    CHECK(body.push(8.0, 1.001, 4.0, 0.1, 0).count == 0);
 }
 
 TEST_CASE("body stage: the world hears how the hand took a body to be when it pushed it") {
     StagedBody body;
     body.tell(1.0, {0.2, 0.0, 0.0}, {0.5, 0.0, 0.0}, 3);
     const Pose felt_W = body.felt(1.02);
-    body.stage.push(make_contact({0.3, 0.0, 0.0}, Vector3::UnitX(), 1),
-                    {Vector3(2.0, 0.0, 0.0), Vector3(2.0, 0.0, 0.0), 4.0}, 1.02);
-    const HandPushes& told = body.told();
+    const HandPushes& told = body.push(2.0, 1.02, 4.0, 0.3);
     REQUIRE(told.count == 1);
     CHECK(told.pushes[0].pose_W.position.x() == felt_W.position.x());
     CHECK(told.pushes[0].velocity_W.linear.x() == 0.5);
@@ -243,9 +248,7 @@ TEST_CASE("body stage: what has friction is held across by as much as it may bea
     StagedBody body(plan);
     body.tell(1.0, Vector3::Zero(), Vector3::Zero());
     (void)body.felt(1.0);
-    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 1),
-                    {Vector3(3.0, 0.0, 0.0), Vector3(3.0, 0.0, 0.0), 4.0}, 1.0);
-    CHECK(body.told().pushes[0].hold.bounds.friction_N == Approx(0.5 * 3.0));
+    CHECK(body.push(3.0, 1.0).pushes[0].hold.bounds.friction_N == Approx(0.5 * 3.0));
 }
 
 namespace {
@@ -258,17 +261,15 @@ std::array<double, 2> touch_and_grip(double most_N) {
     RigidFrame frame;
     frame.stamp_s = 1.0;
     frame.solids[0].is_present = frame.solids[1].is_present = true;
-    body.channels->frame.publish(frame);
+    body.tell(frame);
     const Pose rest[] = {Pose{}, Pose{}};
     (void)body.stage.place(rest, 1.0);
     GrippingHand hand{Pose::at({0.0, 0.1, 0.0}), {}, 2U};
-    (void)body.stage.grip(make_contact({0.0, 0.1, 0.0}, Vector3::UnitY(), 1), hand);
+    body.grip_top(hand);
     (void)body.stage.place(rest, 1.001);
     hand.pose_W.position.y() = 0.105;
     (void)body.stage.grip({}, hand);
-    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 0),
-                    {Vector3(5.0, 0.0, 0.0), Vector3(5.0, 0.0, 0.0), most_N}, 1.001);
-    const HandPushes& told = body.told();
+    const HandPushes& told = body.push(5.0, 1.001, most_N, 0.1, 0);
     std::array<double, 2> forces_N{};
     for (std::int32_t i = 0; i < told.count; ++i) {
         const RigidPush& push = told.pushes[static_cast<std::size_t>(i)];
@@ -311,8 +312,7 @@ TEST_CASE("body stage: a grip holds the place that was touched, as long as the b
     hand.twist_W = {};
     hand.pose_W.orientation = compute_exp(Vector3(0.0, 0.0, 0.01));
     (void)body.stage.grip({}, hand);
-    body.stage.push({}, {Vector3::Zero(), Vector3::Zero(), 4.0}, 1.002);
-    const HandPushes& told = body.told();
+    const HandPushes& told = body.push_nothing(4.0);
     REQUIRE(told.count == 1);
     CHECK(told.pushes[0].hold.bounds.along_W.norm() == 0.0);
     CHECK(told.pushes[0].hold.push_W.force.y() == Approx(4.0));
@@ -330,7 +330,7 @@ void grip_and_turn(StagedBody& body, GrippingHand& hand) {
     body.tell(1.0, Vector3::Zero(), Vector3::Zero());
     (void)body.felt(1.0);
     hand = {Pose::at({0.0, 0.1, 0.0}), {}, 2U};
-    (void)body.stage.grip(make_contact({0.0, 0.1, 0.0}, Vector3::UnitY(), 1), hand);
+    body.grip_top(hand);
     (void)body.felt(1.001);
     hand.pose_W = {Vector3(0.0, 0.11, 0.0), compute_exp(Vector3(0.0, 0.0, 1.5))};
     (void)body.stage.grip({}, hand);
@@ -345,8 +345,7 @@ TEST_CASE("body stage: a grip turns with no more than the hand may feel at the b
         StagedBody body(make_body_plan(2U));
         GrippingHand hand;
         grip_and_turn(body, hand);
-        body.stage.push({}, {Vector3::Zero(), Vector3::Zero(), most_N}, 1.002);
-        const HandPushes& told = body.told();
+        const HandPushes& told = body.push_nothing(most_N);
         REQUIRE(told.count == 1);
         const RigidPush& push = told.pushes[0];
         INFO("at most " << most_N);
@@ -373,13 +372,12 @@ TEST_CASE("body stage: a grip ends where its body is put elsewhere or taken out,
         } else {
             RigidFrame gone;
             gone.stamp_s = 1.002;
-            body.channels->frame.publish(gone);
+            body.tell(gone);
         }
         (void)body.felt(1.002);
         CHECK(body.stage.gripped() == kNoBody);
         CHECK(body.stage.grip({}, hand).force_W.norm() == 0.0);
-        body.stage.push({}, {Vector3::Zero(), Vector3::Zero(), 9.0}, 1.002);
-        CHECK(body.told().count == 0);
+        CHECK(body.push_nothing(9.0).count == 0);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace fulcrum;
@@ -36,18 +37,38 @@ ProxyContact make_corner(double a, double b) {
     return contact;
 }
 
+// A proxy at a place, held by one plane of solid 0 and dragged along it.
+ProxyContact make_contact(const Vector3& at_W, const Vector3& normal_W, std::int32_t solid = 0,
+                          std::int32_t feature = -1, const Vector3& drag_W = Vector3::Zero()) {
+    ProxyContact contact;
+    contact.position_W = at_W;
+    contact.solid = solid;
+    contact.n_constraints = 1;
+    contact.normal_W = normal_W;
+    contact.touches[0] = {.solid = solid,
+                          .feature = feature,
+                          .normal_W = normal_W,
+                          .push_m = 0.002,
+                          .drag_W = drag_W};
+    return contact;
+}
+
+// A mesh that is shaded up to a crease, on a spring of 500 N/m alone.
+HapticPlan make_shaded(const MeshShape& mesh, double crease_deg) {
+    HapticPlan plan;
+    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};
+    plan.solids = only_solid(mesh);
+    plan.solids[0].surface.shading = {crease_deg > 0.0, std::max(crease_deg, 1.0)};
+    return plan;
+}
+
 }  // namespace
 
 TEST_CASE("contact stage: each solid has its own coupling, one without has the plan's") {
     ContactStage stage(make_plan());
     for (const auto& [solid, coupling] :
          {std::pair{0, kSoft}, {1, kHard}, {2, make_plan().coupling}, {7, make_plan().coupling}}) {
-        ProxyContact contact;
-        contact.solid = solid;
-        contact.n_constraints = 1;
-        contact.normal_W = Vector3::UnitY();
-        contact.touches[0] = {
-            .solid = solid, .feature = -1, .normal_W = Vector3::UnitY(), .push_m = 0.002};
+        const ProxyContact contact = make_contact(Vector3::Zero(), Vector3::UnitY(), solid);
         const Vector3 velocity(0.0, -0.1, 0.0);
         const ContactForce felt = stage.step(contact, Vector3(0.0, -0.002, 0.0), velocity, {});
         CHECK(felt.spring.force.y() == Approx(0.002 * coupling.stiffness_N_per_m));
@@ -96,12 +117,8 @@ TEST_CASE("contact stage: a wall never pulls, and a proxy without planes has one
 
 TEST_CASE("contact stage: shading turns the force and keeps its size; else it is the spring's") {
     const auto mesh = touchable(make_sphere(0.05, 3));
-    HapticPlan plan;
-    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};
-    plan.solids = only_solid(mesh);
-    ContactStage flat(plan);
-    plan.solids[0].surface.shading = {true, 60.0};
-    ContactStage shaded(plan);
+    ContactStage flat(make_shaded(mesh, 0.0));
+    ContactStage shaded(make_shaded(mesh, 60.0));
     CHECK(shaded.memory_bytes() > flat.memory_bytes());
     // A place beside the middle of a triangle, the solid moved and turned.
     const Pose pose_W{Vector3(0.3, 0.2, 0.1),
@@ -112,12 +129,7 @@ TEST_CASE("contact stage: shading turns the force and keeps its size; else it is
     const Vector3 p2 = mesh->vertex_B(corners[2]);
     const Vector3 place_B = 0.7 * p0 + 0.2 * p1 + 0.1 * p2;
     const Vector3 normal_W = pose_W.orientation * (p1 - p0).cross(p2 - p0).normalized();
-    ProxyContact contact;
-    contact.position_W = pose_W * place_B;
-    contact.solid = 0;
-    contact.n_constraints = 1;
-    contact.normal_W = normal_W;
-    contact.touches[0] = {.solid = 0, .feature = 5, .normal_W = normal_W, .push_m = 0.002};
+    ProxyContact contact = make_contact(pose_W * place_B, normal_W, 0, 5);
     const Vector3 hand_W = contact.position_W - 0.002 * normal_W;
     const std::array<Pose, 1> poses{pose_W};
     const ContactForce plain = flat.step(contact, hand_W, Vector3::Zero(), poses);
@@ -137,35 +149,21 @@ TEST_CASE("contact stage: shading turns the force and keeps its size; else it is
 }
 
 TEST_CASE("contact stage: what friction holds stays in a shaded force") {
-    HapticPlan plan;
-    plan.solids = only_solid(touchable(make_sphere(0.05, 3)));
-    plan.solids[0].surface.shading = {true, 60.0};
-    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};
-    ContactStage stage(plan);
-    ProxyContact contact;
-    const auto mesh = std::get<MeshShape>(plan.solids[0].shape);
-    contact.position_W = mesh->vertex_B(mesh->corners(0)[0]);
-    contact.solid = 0;
-    contact.n_constraints = 1;
-    const Vector3 n = contact.position_W.normalized();
+    const auto mesh = touchable(make_sphere(0.05, 3));
+    ContactStage stage(make_shaded(mesh, 60.0));
+    const Vector3 corner = mesh->vertex_B(mesh->corners(0)[0]);
+    const Vector3 n = corner.normalized();
     const Vector3 t = n.unitOrthogonal();
-    contact.normal_W = n;
-    contact.touches[0] = {
-        .solid = 0, .feature = 0, .normal_W = n, .push_m = 0.002, .drag_W = 0.001 * t};
     const std::array<Pose, 1> poses{};
-    const ContactForce felt =
-        stage.step(contact, contact.position_W - 0.002 * n - 0.001 * t, Vector3::Zero(), poses);
+    const ContactForce felt = stage.step(make_contact(corner, n, 0, 0, 0.001 * t),
+                                         corner - 0.002 * n - 0.001 * t, Vector3::Zero(), poses);
     // The corner of a coarse ball: its normal is a degree off the radius.
     CHECK((felt.force_W - Vector3(1.0 * n + 0.5 * t)).norm() < 0.02);
 }
 
 TEST_CASE("contact stage: a shaded force stays in friction's cone, whatever the bend") {
-    HapticPlan plan;
-    plan.solids = only_solid(touchable(make_sphere(0.05, 2)));  // its faces meet at large angles
-    plan.solids[0].surface.shading = {true, 90.0};
-    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};
-    ContactStage stage(plan);
-    const auto mesh = std::get<MeshShape>(plan.solids[0].shape);
+    const auto mesh = touchable(make_sphere(0.05, 2));  // its faces meet at large angles
+    ContactStage stage(make_shaded(mesh, 90.0));
     const auto corners = mesh->corners(0);
     const Vector3 corner = mesh->vertex_B(corners[0]);
     const Vector3 along = (mesh->vertex_B(corners[1]) - corner).normalized();
@@ -173,16 +171,10 @@ TEST_CASE("contact stage: a shaded force stays in friction's cone, whatever the 
                           .cross(mesh->vertex_B(corners[2]) - corner)
                           .normalized();
     for (const Vector3& t : {along, Vector3(-along), Vector3(n.cross(along))}) {
-        ProxyContact contact;
-        contact.position_W = corner;
-        contact.solid = 0;
-        contact.n_constraints = 1;
-        contact.normal_W = n;
-        contact.touches[0] = {
-            .solid = 0, .feature = 0, .normal_W = n, .push_m = 0.002, .drag_W = 0.0016 * t};
         const std::array<Pose, 1> poses{};
         const ContactForce felt =
-            stage.step(contact, corner - 0.002 * n - 0.0016 * t, Vector3::Zero(), poses);
+            stage.step(make_contact(corner, n, 0, 0, 0.0016 * t), corner - 0.002 * n - 0.0016 * t,
+                       Vector3::Zero(), poses);
         const Vector3& shaded = felt.spring.normal;
         CHECK(shaded.dot(n) < 0.98);  // bent by more than ten degrees
         const double across = felt.force_W.dot(shaded);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "haptics/loop/safety.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/scripted_device.h"
 
-#include <limits>
 
 namespace fulcrum {
 
@@ -18,7 +18,7 @@ inline const DeviceFault kDeviceFaults[] = {
     {"gives no pose", [](ScriptedDevice& d) { d.gives_pose = false; }, Fault::device_read},
     {"gives old poses", [](ScriptedDevice& d) { d.age_s = 0.021; }, Fault::device_stale},
     {"gives no number",
-     [](ScriptedDevice& d) { d.pose_D.position.y() = std::numeric_limits<double>::quiet_NaN(); },
+     [](ScriptedDevice& d) { d.pose_D.position.y() = kNan; },
      Fault::device_invalid},
     {"gives no orientation", [](ScriptedDevice& d) { d.pose_D.orientation.coeffs().setZero(); },
      Fault::device_invalid},

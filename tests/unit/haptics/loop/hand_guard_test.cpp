@@ -1,8 +1,8 @@
 #include "haptics/loop/hand_guard.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/bad_numbers.h"
 
-#include <limits>
+#include <catch2/catch.hpp>
 
 using namespace fulcrum;
 
@@ -65,13 +65,12 @@ TEST_CASE("hand guard: energy given in a second is bounded, in closed form") {
 }
 
 TEST_CASE("hand guard: what is not finite, or takes no time, is not counted") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     HandGuard guard(SafetySettings{});
-    CHECK(guard.step(force_along_x(nan), {0.001, 0.0, 0.0}, Vector3::Zero(), kTick_s) ==
+    CHECK(guard.step(force_along_x(kNan), {0.001, 0.0, 0.0}, Vector3::Zero(), kTick_s) ==
           Fault::none);
-    CHECK(guard.step({}, {nan, 0.0, 0.0}, Vector3::Zero(), kTick_s) == Fault::none);
+    CHECK(guard.step({}, {kNan, 0.0, 0.0}, Vector3::Zero(), kTick_s) == Fault::none);
     CHECK(guard.step(force_along_x(9.0), {9.0, 0.0, 0.0}, Vector3::Zero(), 0.0) == Fault::none);
-    CHECK(guard.step(force_along_x(9.0), {9.0, 0.0, 0.0}, Vector3::Zero(), nan) == Fault::none);
+    CHECK(guard.step(force_along_x(9.0), {9.0, 0.0, 0.0}, Vector3::Zero(), kNan) == Fault::none);
     CHECK(guard.speed_m_per_s() == 0.0);
     CHECK(guard.energy_J() == 0.0);
 }

@@ -1,12 +1,12 @@
 // What is built of a plan, for a device; and which plans are none.
 #include "haptics/geometry/shape.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/touchable.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -68,7 +68,6 @@ TEST_CASE("haptic loop: the god-object is built of the plan's solids and holds t
 }
 
 TEST_CASE("haptic loop: plans out of range are refused, and accepted at their bounds") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto accepts = [](auto change) {
         HapticPlan plan;
         change(plan);
@@ -84,7 +83,7 @@ TEST_CASE("haptic loop: plans out of range are refused, and accepted at their bo
          {Number{"scale",
                  [](HapticPlan& p) -> double& { return p.workspace.scale; },
                  {0.01, 100.0},
-                 {0.0099, 100.1, nan}},
+                 {0.0099, 100.1, kNan}},
           Number{"rate",
                  [](HapticPlan& p) -> double& { return p.rate_hz; },
                  {1000.0, 5000.0},
@@ -92,11 +91,11 @@ TEST_CASE("haptic loop: plans out of range are refused, and accepted at their bo
           Number{"onset",
                  [](HapticPlan& p) -> double& { return p.weight_onset_s; },
                  {0.02, 5.0},
-                 {0.0199, 5.01, nan}},
+                 {0.0199, 5.01, kNan}},
           Number{"force",
                  [](HapticPlan& p) -> double& { return p.safety.max_force_N; },
                  {0.5, 10.0},
-                 {0.49, 11.0, nan}}}) {
+                 {0.49, 11.0, kNan}}}) {
         CAPTURE(number.name);
         for (const double value : number.good) {
             CHECK(accepts([&](HapticPlan& plan) { number.of(plan) = value; }));

@@ -1,18 +1,15 @@
 // What fades the force, and what the loop lets nobody talk it out of.
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/device_faults.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
 
-#include <limits>
 #include <memory>
 
 using namespace fulcrum;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 HapticPlan make_damped_plan(double damping_Ns_per_m) {
     HapticPlan plan;
@@ -179,7 +176,7 @@ TEST_CASE("haptic loop: a clock that stands still is a fault, and the force goes
 
 TEST_CASE("haptic loop: a clock that is no number is a fault and is not published") {
     Bench bench(make_weight_plan());
-    for (const double now_s : {kNan, kInfinite}) {
+    for (const double now_s : {kNan, kInfinity}) {
         const double before_s = bench.now_s;
         bench.loop.step(now_s);
         CHECK(bench.saw(Fault::command_invalid));
@@ -208,7 +205,7 @@ TEST_CASE("haptic loop: a silent lesson, a dead one, one that is over, a silent 
           Silence{[](Bench& b) { b.channels->lesson_failed.store(true); }, Fault::lesson_failed,
                   false},
           Silence{[](Bench& b) { b.channels->ended.store(true); }, Fault::ended, false},
-          Silence{[](Bench& b) { b.world.carried_force_W.x() = kInfinite; }, Fault::command_invalid,
+          Silence{[](Bench& b) { b.world.carried_force_W.x() = kInfinity; }, Fault::command_invalid,
                   false}}) {
         HoldingBench bench;
         silence.begin(bench);

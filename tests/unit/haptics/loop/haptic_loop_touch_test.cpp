@@ -1,12 +1,12 @@
 // What touches: the proxy's side of the haptic loop.
 #include "haptics/geometry/shape.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/touchable.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 using namespace fulcrum;
@@ -88,7 +88,7 @@ TEST_CASE("haptic loop: solids stand where the world says, and NaN there is a fa
     bench.run(10);
     CHECK(bench.state().touched_body == 0);
     CHECK(bench.state().proxy_position_W.y() == 0.012);
-    bench.world.solid_poses_W[0].position.y() = std::numeric_limits<double>::quiet_NaN();
+    bench.world.solid_poses_W[0].position.y() = kNan;
     bench.run(1);
     CHECK(bench.saw(Fault::command_invalid));
     CHECK(is_finite(bench.device.written_D));

@@ -1,8 +1,8 @@
 #include "haptics/loop/latency_histogram.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/bad_numbers.h"
 
-#include <limits>
+#include <catch2/catch.hpp>
 
 using namespace fulcrum;
 
@@ -36,10 +36,10 @@ TEST_CASE("latency: every nanosecond's bin contains it, borders too") {
 TEST_CASE("latency: times that are none count as zero, endless ones as very long") {
     LatencyHistogram histogram;
     histogram.add(-1.0);
-    histogram.add(std::numeric_limits<double>::quiet_NaN());
+    histogram.add(kNan);
     CHECK(histogram.max_s() == 0.0);
     CHECK(histogram.compute_quantile_s(1.0) == 0.0);
-    histogram.add(std::numeric_limits<double>::infinity());
+    histogram.add(kInfinity);
     CHECK(histogram.count() == 3);
     CHECK(histogram.max_s() > 1e9);
 }

@@ -1,11 +1,11 @@
 #include "haptics/loop/line_stage.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
 using namespace fulcrum;
@@ -96,7 +96,7 @@ TEST_CASE("line stage: without a kite nothing pulls, and a plan with a bad line 
     HapticPlan plan = make_line_plan();
     CHECK(validate(plan));
     CHECK(has_torques(plan));
-    plan.line->most_N = std::numeric_limits<double>::quiet_NaN();
+    plan.line->most_N = kNan;
     CHECK_FALSE(validate(plan));
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("line stage: of a pose that jumps or is none the kite is not told") {
     // One sample from a metre away, and back: neither way is a hand's.
     bench.device.pose_D.position.x() = 1.0;
     bench.run(1, Vector3::Zero());
-    bench.device.pose_D.position.x() = std::numeric_limits<double>::quiet_NaN();
+    bench.device.pose_D.position.x() = kNan;
     bench.run(3, Vector3::Zero());
     bench.device.pose_D.position.x() = 0.0;
     bench.run(1, Vector3::Zero());

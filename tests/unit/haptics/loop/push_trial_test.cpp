@@ -1,12 +1,12 @@
 // Pushes through a whole loop on simulated arms: good ones, one whose motors push against what they are told, one that is clamped.
 #include "haptics/loop/push_trial.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/support/pushed_arm.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -123,7 +123,7 @@ TEST_CASE("push trial: a clock that stands, or a place that is none, gives no fo
     CHECK(trial.step(state, now_s).isZero());
     CHECK(trial.step(state, now_s - 1.0).isZero());
     CHECK(trial.step(state, std::nan("")).isZero());
-    state.tool_pose_W.position.x() = std::numeric_limits<double>::quiet_NaN();
+    state.tool_pose_W.position.x() = kNan;
     CHECK(trial.step(state, now_s + 0.01).isZero());
     CHECK(judge_pushes(Vector3::UnitX(), state.tool_pose_W.position, Vector3::Zero()) ==
           PushVerdict::unfelt);

@@ -1,13 +1,13 @@
 #include "haptics/loop/realtime_thread.h"
 
 #include "haptics/base/clock.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -169,7 +169,7 @@ TEST_CASE("realtime thread: bad settings and a second start are refused; after a
     settings.spin_s = 0.01;
     CHECK_FALSE(thread.start(task, settings));
     settings = {};
-    settings.rate_Hz = std::numeric_limits<double>::quiet_NaN();
+    settings.rate_Hz = kNan;
     CHECK_FALSE(thread.start(task, settings));
     settings = {};
     settings.fifo_priority = 100;

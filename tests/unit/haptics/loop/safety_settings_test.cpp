@@ -1,8 +1,7 @@
 #include "haptics/loop/safety.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
-
-#include <limits>
 
 using namespace fulcrum;
 
@@ -43,7 +42,7 @@ TEST_CASE("safety: each setting is accepted at its bounds and refused just past 
         CHECK(accepts(bound.high));
         CHECK_FALSE(accepts(bound.low - 1e-6));
         CHECK_FALSE(accepts(bound.high + 1e-6));
-        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e9}) {
+        for (const double bad : {kNan, -1.0, 1e9}) {
             CHECK_FALSE(accepts(bad));
         }
     }

@@ -1,3 +1,4 @@
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/safety_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -5,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
 
 using namespace fulcrum;
@@ -18,21 +18,8 @@ double any_bits(std::mt19937_64& random) {
 
 // Random bits hold few special values; this mixes them in, and sane ones that open the gate.
 double any_value(std::mt19937_64& random) {
-    constexpr double kSpecial[] = {0.0,
-                                   -0.0,
-                                   1e-310,
-                                   5e-324,
-                                   1e308,
-                                   -1e308,
-                                   9.99,
-                                   1e6,
-                                   1e154,
-                                   1.3e154,
-                                   0.001,
-                                   -10.0,
-                                   std::numeric_limits<double>::infinity(),
-                                   -std::numeric_limits<double>::infinity(),
-                                   std::numeric_limits<double>::quiet_NaN()};
+    constexpr double kSpecial[] = {0.0,   -0.0,    1e-310, 5e-324, 1e308,     -1e308,     9.99, 1e6,
+                                   1e154, 1.3e154, 0.001,  -10.0,  kInfinity, -kInfinity, kNan};
     switch (random() % 4) {
         case 0:
             return any_bits(random);
@@ -225,7 +212,7 @@ TEST_CASE("safety: what the gate says that it may let through next bounds what i
     }
     CHECK(tightest == Approx(1.0));
     CHECK(tightest_turn == Approx(1.0));
-    CHECK(gate.find_most_N(std::numeric_limits<double>::quiet_NaN()) == 0.0);
+    CHECK(gate.find_most_N(kNan) == 0.0);
 }
 
 TEST_CASE("safety: any fault fades in a straight line to zero, then engagement is needed again") {
@@ -253,8 +240,7 @@ TEST_CASE("safety: any fault fades in a straight line to zero, then engagement i
 }
 
 TEST_CASE("safety: NaN, infinity and absurd commands fade, and none of them comes out") {
-    const double bad[] = {std::numeric_limits<double>::quiet_NaN(),
-                          std::numeric_limits<double>::infinity(), 1e200, -1e7};
+    const double bad[] = {kNan, kInfinity, 1e200, -1e7};
     for (const double value : bad) {
         SafetyGate gate = open_gate(SafetySettings{}, 4.0);
         const Wrench out =
@@ -269,8 +255,7 @@ TEST_CASE("safety: NaN, infinity and absurd commands fade, and none of them come
 }
 
 TEST_CASE("safety: a clock that cannot be trusted gives zero at once; no time changes nothing") {
-    for (const double dt_s : {std::numeric_limits<double>::quiet_NaN(), -0.001,
-                              std::numeric_limits<double>::infinity()}) {
+    for (const double dt_s : {kNan, -0.001, kInfinity}) {
         SafetyGate gate = open_gate(SafetySettings{}, 4.0);
         CHECK(gate.pass(along_x(4.0), Fault::none, dt_s).force.norm() == 0.0);
         CHECK(gate.phase() == GatePhase::waiting);
@@ -300,8 +285,6 @@ TEST_CASE("safety: the emergency stop fades, latches, and ends by reset and new 
 }
 
 TEST_CASE("safety: the last check alone holds, whatever came before it") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double inf = std::numeric_limits<double>::infinity();
     const Wrench fine{Vector3(3.0, -4.0, 0.0), Vector3(0.0, 0.3, 0.0)};
     const Wrench kept = compute_last_check(fine, 5.0, 0.3);
     CHECK(kept.force == fine.force);
@@ -309,12 +292,12 @@ TEST_CASE("safety: the last check alone holds, whatever came before it") {
     CHECK(compute_last_check(fine, 4.999, 0.3).force.norm() == 0.0);
     CHECK(compute_last_check(fine, 5.0, 0.299).force.norm() == 0.0);
     // Limits that are absurd or no numbers do not lift the hard caps.
-    for (const double limit : {1e9, inf, nan}) {
+    for (const double limit : {1e9, kInfinity, kNan}) {
         CHECK(compute_last_check(along_x(10.001), limit, limit).force.norm() == 0.0);
         CHECK(compute_last_check({Vector3::Zero(), Vector3(0.0, 0.0, 1.001)}, limit, limit)
                   .torque.norm() == 0.0);
     }
-    for (const double bad : {nan, inf, -inf, 1e200}) {
+    for (const double bad : {kNan, kInfinity, -kInfinity, 1e200}) {
         CHECK(compute_last_check(along_x(bad), 5.0, 0.3).force.norm() == 0.0);
         CHECK(
             compute_last_check({Vector3::Zero(), Vector3(0.0, bad, 0.0)}, 5.0, 0.3).torque.norm() ==

@@ -1,18 +1,17 @@
 #include "haptics/math/dense.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace fulcrum {
 namespace {
 
 constexpr double kRounding = 1.0e-13;  // of systems with a condition of about 100
 constexpr int kRounds = 200;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 template <class M>
 M draw_symmetric(Random& random) {

@@ -1,5 +1,7 @@
 #include "haptics/math/length.h"
 
+#include "tests/support/bad_numbers.h"
+
 #include <catch2/catch.hpp>
 
 #include <array>
@@ -40,15 +42,13 @@ TEST_CASE("length: numbers whose squares leave the range of double keep all thei
 }
 
 TEST_CASE("length: nothing, infinity and what is no number") {
-    const double infinite = std::numeric_limits<double>::infinity();
-    const double none = std::numeric_limits<double>::quiet_NaN();
     CHECK(compute_length(Vector3(0.0, 0.0, 0.0)) == 0.0);
     CHECK(compute_direction(Vector3(0.0, 0.0, 0.0)) == Vector3(0.0, 0.0, 0.0));
-    CHECK(compute_length(Vector3(1.0, -infinite, 0.0)) == infinite);
-    CHECK(compute_direction(Vector3(1.0, -infinite, 0.0)) == Vector3(1.0, -infinite, 0.0));
+    CHECK(compute_length(Vector3(1.0, -kInfinity, 0.0)) == kInfinity);
+    CHECK(compute_direction(Vector3(1.0, -kInfinity, 0.0)) == Vector3(1.0, -kInfinity, 0.0));
     for (int i = 0; i < 3; ++i) {
-        Vector3 v(1.0, infinite, 0.0);
-        v[i] = none;
+        Vector3 v(1.0, kInfinity, 0.0);
+        v[i] = kNan;
         CHECK(std::isnan(compute_length(v)));
         CHECK_FALSE(compute_direction(v).allFinite());
     }

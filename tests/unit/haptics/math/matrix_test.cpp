@@ -1,6 +1,7 @@
 #include "haptics/math/matrix.h"
 
 #include "haptics/math/to_eigen.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -19,8 +19,6 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double kRounding = 1.0e-14;  // of sums of up to seven products of numbers below 1
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Column after column, as a matrix of any size.
 template <class M>

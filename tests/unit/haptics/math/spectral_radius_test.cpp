@@ -1,10 +1,11 @@
 #include "haptics/math/spectral_radius.h"
 
+#include "tests/support/bad_numbers.h"
+
 #include <catch2/catch.hpp>
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <limits>
 #include <rapidcheck.h>
 #include <vector>
 
@@ -78,6 +79,6 @@ TEST_CASE("spectral radius: none of what comes to nothing, infinite of what is n
     CHECK(find_radius(ends) == 0.0);
     CHECK(find_radius(MatrixXd::Constant(1, 1, -1e300)) == Approx(1e300).epsilon(1e-9));
     MatrixXd bad = MatrixXd::Identity(3, 3);
-    bad(1, 2) = std::numeric_limits<double>::quiet_NaN();
-    CHECK(find_radius(bad) == std::numeric_limits<double>::infinity());
+    bad(1, 2) = kNan;
+    CHECK(find_radius(bad) == kInfinity);
 }

@@ -1,19 +1,18 @@
 // Several solids, solids that move, and bad input.
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace fulcrum {
 namespace {
 
 constexpr double kExact = 1.0e-9;
-const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 SolidPlan box_plan(const Vector3& size_m, const Pose& pose_W = {}) {
     return {.body = 0, .shape = touchable(make_box(size_m)), .initial_pose_W = pose_W};
@@ -115,7 +114,7 @@ TEST_CASE("god object: a hand that is not finite or absurdly far leaves it where
     proxy.step(Vector3(0.1, -0.3, 0.2), {});
     const ProxyContact before = proxy.contact();
     REQUIRE(before.solid == 0);
-    for (const double bad : {kNan, std::numeric_limits<double>::infinity(), -1e300}) {
+    for (const double bad : {kNan, kInfinity, -1e300}) {
         for (int axis = 0; axis < 3; ++axis) {
             Vector3 hand(0.1, 0.5, 0.2);
             hand[axis] = bad;
@@ -140,7 +139,7 @@ TEST_CASE("god object: a pose that is not finite is ignored, one not of unit len
                             Pose::at(Vector3::Zero()), Pose::at(Vector3::Zero())};
     bad[1].orientation.w() = kNan;
     bad[2].orientation.coeffs().setZero();
-    bad[3].orientation.coeffs().setConstant(std::numeric_limits<double>::infinity());
+    bad[3].orientation.coeffs().setConstant(kInfinity);
     for (const Pose& pose : bad) {
         CHECK(proxy.step(below, std::span(&pose, 1)).position_W.y() == Approx(0.1).epsilon(1e-8));
     }

@@ -5,12 +5,11 @@
 #include "haptics/point/friction_cone.h"
 #include "haptics/point/god_object.h"
 #include "haptics/point/virtual_proxy.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/distance_bodies.h"
 #include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
-
-#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -29,7 +28,7 @@ TEST_CASE("proxy: a list of solids that cannot be touched is refused") {
     CHECK(fits(std::vector<SolidPlan>(16, plate())));
     CHECK_FALSE(fits({SolidPlan{.body = 3, .shape = MeshShape{}}}));
     SolidPlan nowhere = plate();
-    nowhere.initial_pose_W.position.x() = std::numeric_limits<double>::quiet_NaN();
+    nowhere.initial_pose_W.position.x() = kNan;
     CHECK_FALSE(fits({nowhere}));
     SolidPlan slippery = plate();
     slippery.friction.dynamic_coefficient = 0.5;  // more than the static one
@@ -79,7 +78,7 @@ TEST_CASE("proxy: every body can be touched, by a god-object those of triangles 
     CHECK_FALSE(fits({of(SphereShape{0.0})}));
     CHECK_FALSE(fits({of(BoxShape{{1.0, -1.0, 1.0}})}));
     CHECK_FALSE(fits({of(CapsuleShape{0.1, -0.1})}));
-    CHECK_FALSE(fits({of(CylinderShape{0.1, std::numeric_limits<double>::quiet_NaN()})}));
+    CHECK_FALSE(fits({of(CylinderShape{0.1, kNan})}));
     CHECK_FALSE(fits({of(HullShape{})}));
     CHECK_FALSE(fits({of(HeightFieldShape{})}));
     CHECK_FALSE(fits({of(DistanceShape{})}));

@@ -5,12 +5,12 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/moving_obstacle.h"
 #include "haptics/point/moving_solid.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -49,7 +49,7 @@ TEST_CASE("proxy frame: a pose that is none is ignored, a turn not of unit lengt
         CAPTURE(name);
         CHECK(frame.take_pose(kPose));
         frame.put_proxy(kPose * Vector3(0.2, 0.35, 0.1));
-        for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        for (const double bad : {std::nan(""), kInfinity}) {
             Pose broken = kPose;
             broken.position.x() = bad;
             CHECK_FALSE(frame.take_pose(broken));

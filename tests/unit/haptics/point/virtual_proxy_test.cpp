@@ -2,13 +2,13 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/point/make_obstacle.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -26,10 +26,9 @@ TEST_CASE("virtual proxy: a start in a surface is pushed out of it, NaN and the 
     CHECK((proxy.contact().position_W - Vector3(0.0, 0.6, 0.0)).norm() < 1.0e-9);
     const Vector3 hand(0.0, 0.4, 0.0);
     const Vector3 before = proxy.step(hand, {}).position_W;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(proxy.step(Vector3(nan, 0.0, 0.0), {}).position_W == before);
+    CHECK(proxy.step(Vector3(kNan, 0.0, 0.0), {}).position_W == before);
     CHECK(proxy.step(Vector3(0.0, 1.0e31, 0.0), {}).position_W == before);
-    const Pose nowhere = Pose::at(Vector3(0.0, nan, 0.0));
+    const Pose nowhere = Pose::at(Vector3(0.0, kNan, 0.0));
     CHECK(proxy.step(hand, std::span(&nowhere, 1)).position_W == before);
 }
 

@@ -1,18 +1,16 @@
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/record/record_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 #include <span>
 
 using namespace fulcrum;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::ptrdiff_t kEndBlockBytes = 16 + 40;
 
 // What is done to the bytes of a record of three rounds, and what is said then.
@@ -65,7 +63,7 @@ TEST_CASE("record: a force that was NaN can be kept, a pose cannot be NaN") {
     const Expected<Record> kept = read_record(write_alone(sample, RecordHeader{}));
     REQUIRE(kept);
     CHECK(std::isnan(kept->samples[0].commanded_W.force.x()));
-    sample.pose_D.position.x() = std::numeric_limits<double>::infinity();
+    sample.pose_D.position.x() = kInfinity;
     CHECK(find_complaint(write_alone(sample, RecordHeader{})).find("impossible sample") !=
           std::string::npos);
 }

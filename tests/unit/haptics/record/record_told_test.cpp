@@ -2,19 +2,17 @@
 #include "haptics/handover/axle_messages.h"
 #include "haptics/handover/line_state.h"
 #include "haptics/handover/rigid_messages.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/record/record_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <bit>
-#include <limits>
 #include <span>
 
 using namespace fulcrum;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

@@ -3,17 +3,15 @@
 #include "haptics/surface/surface_plan.h"
 #include "haptics/surface/texture_settings.h"
 #include "haptics/surface/transient_settings.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
-#include <limits>
 #include <memory>
 
 using namespace fulcrum;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // A number of some settings, with its range.
 template <class Settings>
