@@ -5,7 +5,6 @@
 #include "tests/support/bad_numbers.h"
 #include "tests/support/scripted_device.h"
 
-
 namespace fulcrum {
 
 struct DeviceFault {
@@ -17,8 +16,7 @@ struct DeviceFault {
 inline const DeviceFault kDeviceFaults[] = {
     {"gives no pose", [](ScriptedDevice& d) { d.gives_pose = false; }, Fault::device_read},
     {"gives old poses", [](ScriptedDevice& d) { d.age_s = 0.021; }, Fault::device_stale},
-    {"gives no number",
-     [](ScriptedDevice& d) { d.pose_D.position.y() = kNan; },
+    {"gives no number", [](ScriptedDevice& d) { d.pose_D.position.y() = kNan; },
      Fault::device_invalid},
     {"gives no orientation", [](ScriptedDevice& d) { d.pose_D.orientation.coeffs().setZero(); },
      Fault::device_invalid},
