@@ -17,15 +17,27 @@ Vector3 along(double x) {
     return {x, 0.0, 0.0};
 }
 
+// A side of the link whose forces and motions are along x.
+struct Side : EnergyBalance {
+    explicit Side(LinkSide side, const EnergyBalanceSettings& settings = kNoCredit)
+        : EnergyBalance(side, settings) {}
+    void step(double force_N, double motion_m, double told_J = 0.0, double dt_s = kRound_s) {
+        EnergyBalance::step(along(force_N), along(motion_m), told_J, dt_s);
+    }
+    double shift_back(double force_N, double shift_m) {
+        return EnergyBalance::shift_back(along(force_N), along(shift_m), kRound_s).x();
+    }
+};
+
 }  // namespace
 
 TEST_CASE("energy balance: each side counts what it puts in, in closed form") {
     // A weight of 2 N goes down with the hand by 1 mm, and up again.
-    EnergyBalance arm(LinkSide::arm, kNoCredit);
-    EnergyBalance scene(LinkSide::scene, kNoCredit);
-    for (EnergyBalance* side : {&arm, &scene}) {
-        side->step(along(-2.0), along(-0.001), 1.0, kRound_s);
-        side->step(along(-2.0), along(0.001), 1.0, kRound_s);
+    Side arm(LinkSide::arm);
+    Side scene(LinkSide::scene);
+    for (Side* side : {&arm, &scene}) {
+        side->step(-2.0, -0.001, 1.0);
+        side->step(-2.0, 0.001, 1.0);
     }
     // Down the scene gives 2 mJ, up the hand does.
     CHECK(scene.gave_J() == Approx(0.002).epsilon(1e-12));
@@ -34,55 +46,55 @@ TEST_CASE("energy balance: each side counts what it puts in, in closed form") {
 
 TEST_CASE("energy balance: a late motion was gone under the force since the last, or under this") {
     // 3 mm in three rounds, which show in the last: at the mean of 5 N, for the last gave less, and at the last, for the mean gave less.
-    EnergyBalance falls(LinkSide::arm, kNoCredit);
-    falls.step(along(8.0), along(0.0), 0.0, kRound_s);
-    falls.step(along(6.0), along(0.0), 0.0, kRound_s);
-    falls.step(along(1.0), along(0.003), 0.0, kRound_s);
+    Side falls(LinkSide::arm);
+    falls.step(8.0, 0.0);
+    falls.step(6.0, 0.0);
+    falls.step(1.0, 0.003);
     CHECK(falls.excess_J() == Approx(0.015).epsilon(1e-12));
-    falls.step(along(1.0), along(0.001), 0.0, kRound_s);
+    falls.step(1.0, 0.001);
     CHECK(falls.excess_J() == Approx(0.016).epsilon(1e-12));
-    EnergyBalance rises(LinkSide::arm, kNoCredit);
-    rises.step(along(1.0), along(0.0), 0.0, kRound_s);
-    rises.step(along(2.0), along(0.003), 0.0, kRound_s);
+    Side rises(LinkSide::arm);
+    rises.step(1.0, 0.0);
+    rises.step(2.0, 0.003);
     CHECK(rises.excess_J() == Approx(0.006).epsilon(1e-12));
     // What is put in counts by the lesser.
-    EnergyBalance pressed(LinkSide::arm, kNoCredit);
-    pressed.step(along(1.0), along(0.0), 0.0, kRound_s);
-    pressed.step(along(3.0), along(-0.001), 0.0, kRound_s);
+    Side pressed(LinkSide::arm);
+    pressed.step(1.0, 0.0);
+    pressed.step(3.0, -0.001);
     CHECK(pressed.gave_J() == Approx(0.002).epsilon(1e-12));
     // What was longer ago than 50 ms fades.
-    EnergyBalance rested(LinkSide::arm, kNoCredit);
+    Side rested(LinkSide::arm);
     for (int i = 0; i < 500; ++i) {
-        rested.step(along(i < 250 ? 100.0 : 1.0), along(0.0), 0.0, kRound_s);
+        rested.step(i < 250 ? 100.0 : 1.0, 0.0);
     }
-    rested.step(along(1.0), along(0.001), 0.0, kRound_s);
+    rested.step(1.0, 0.001);
     CHECK(rested.excess_J() >= 0.001);
     CHECK(rested.excess_J() < 0.0017);
 }
 
 TEST_CASE("energy balance: what was put in on the other side may come out, and no more") {
-    EnergyBalance arm(LinkSide::arm, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
-    arm.step(along(1.0), along(0.003), 0.004, kRound_s);  // 3 mJ out for 4 in
+    Side arm(LinkSide::arm, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
+    arm.step(1.0, 0.003, 0.004);  // 3 mJ out for 4 in
     CHECK(arm.excess_J() == 0.0);
-    arm.step(along(1.0), along(0.003), 0.004, kRound_s);  // and 3 more for none
+    arm.step(1.0, 0.003, 0.004);  // and 3 more for none
     CHECK(arm.excess_J() == Approx(0.002).epsilon(1e-3));
     CHECK(arm.peak_excess_J() == Approx(arm.excess_J()));
     // It comes late: the excess is gone.
-    arm.step(along(0.0), along(0.0), 0.007, kRound_s);
+    arm.step(0.0, 0.0, 0.007);
     CHECK(arm.excess_J() == 0.0);
 }
 
 TEST_CASE("energy balance: in debt the arm's force gives no more along the way, else as it was") {
-    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    Side arm(LinkSide::arm);
     const Vector3 force(2.0, 1.0, 0.0);
     const Vector3 motion = along(1.0e-4);
     // A debt that the brake pays alone leaves the force; one of half as much again takes half of what would give; a great one all.
-    arm.step(along(1.0), along(0.4e-3), 0.0, kRound_s);
+    arm.step(1.0, 0.4e-3);
     CHECK(arm.hold_back(force, motion) == force);
-    arm.step(along(1.0), along(0.35e-3), 0.0, kRound_s);
+    arm.step(1.0, 0.35e-3);
     CHECK(arm.hold_back(force, motion).x() == Approx(1.0).epsilon(1e-9));
     CHECK(arm.hold_back(force, motion).y() == 1.0);
-    arm.step(along(1.0), along(0.01), 0.0, kRound_s);
+    arm.step(1.0, 0.01);
     CHECK(arm.hold_back(force, motion).x() == Approx(0.0).margin(1e-12));
     // Against the way it takes: that is left, as is a force on a hand that does not move.
     CHECK(arm.hold_back(force, -motion) == force);
@@ -90,41 +102,41 @@ TEST_CASE("energy balance: in debt the arm's force gives no more along the way, 
 }
 
 TEST_CASE("energy balance: the arm's brake takes the excess back in a round like the last") {
-    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    Side arm(LinkSide::arm);
     const Vector3 motion = along(1e-4);
-    arm.step(along(1.0), motion, 0.0, kRound_s);
+    arm.step(1.0, 1e-4);
     const double alpha = arm.compute_damping(motion, kRound_s, 1e9);
     // alpha d / T along d: alpha |d|^2 / T = excess.
     CHECK(alpha * motion.squaredNorm() / kRound_s == Approx(arm.excess_J()).epsilon(1e-12));
     CHECK(arm.compute_damping(motion, kRound_s, 3.0) == 3.0);
     CHECK(arm.compute_damping(Vector3::Zero(), kRound_s, 1e9) == 0.0);
     // With nothing to take back there is no brake.
-    EnergyBalance quiet(LinkSide::arm, kNoCredit);
-    quiet.step(along(1.0), -motion, 0.0, kRound_s);
+    Side quiet(LinkSide::arm);
+    quiet.step(1.0, -1e-4);
     CHECK(quiet.compute_damping(motion, kRound_s, 1e9) == 0.0);
 }
 
 TEST_CASE("energy balance: what a side in debt puts in pays that debt, and is no new energy") {
-    EnergyBalance arm(LinkSide::arm, kNoCredit);
-    arm.step(along(1.0), along(0.003), 0.0, kRound_s);   // 3 mJ too much
-    arm.step(along(1.0), along(-0.002), 0.0, kRound_s);  // 2 mJ of them back
+    Side arm(LinkSide::arm);
+    arm.step(1.0, 0.003);   // 3 mJ too much
+    arm.step(1.0, -0.002);  // 2 mJ of them back
     CHECK(arm.excess_J() == Approx(0.001).epsilon(1e-9));
     CHECK(arm.gave_J() == 0.0);
-    arm.step(along(1.0), along(-0.002), 0.0, kRound_s);  // the last, and one for the other side
+    arm.step(1.0, -0.002);  // the last, and one for the other side
     CHECK(arm.excess_J() == Approx(0.0).margin(1e-15));
     CHECK(arm.gave_J() == Approx(0.001).epsilon(1e-9));
 }
 
 TEST_CASE("energy balance: the same energy is given out once, however late it is told") {
     for (const int delay : {20, 100, 200, 250}) {
-        EnergyBalance arm(LinkSide::arm, kNoCredit);
+        Side arm(LinkSide::arm);
         // The scene gives 10 mJ at once; before it is told, and after, the hand takes what it can.
         double out_J = 0.0;
         for (int i = 0; i < 2000; ++i) {
             const double told_J = i >= delay ? 0.01 : 0.0;
             const bool takes = i == 0 || (arm.excess_J() == 0.0 && i >= delay);
             const double way_m = takes ? (i == 0 ? 0.01 : 1e-5) : 0.0;
-            arm.step(along(1.0), along(way_m), told_J, kRound_s);
+            arm.step(1.0, way_m, told_J);
             out_J += way_m;
             if (i > delay && arm.excess_J() > 0.0) {
                 break;
@@ -136,100 +148,97 @@ TEST_CASE("energy balance: the same energy is given out once, however late it is
 }
 
 TEST_CASE("energy balance: the scene's hand moves on along the force by what was taken too much") {
-    EnergyBalance scene(LinkSide::scene, kNoCredit);
-    scene.step(along(4.0), along(-0.001), 0.0,
-               kRound_s);  // pressed in: the scene took 4 mJ, nobody gave
+    Side scene(LinkSide::scene);
+    scene.step(4.0, -0.001);  // pressed in: the scene took 4 mJ, nobody gave
     CHECK(scene.excess_J() == Approx(0.004));
     const Vector3 moved = scene.shift(along(4.0), 1.0);
     CHECK(moved.x() == Approx(0.001));
     CHECK(scene.excess_J() == Approx(0.0).margin(1e-15));
     // No further than it may.
-    scene.step(along(4.0), along(-0.001), 0.0, kRound_s);
+    scene.step(4.0, -0.001);
     CHECK(scene.shift(along(4.0), 1e-4).x() == Approx(1e-4));
     CHECK(scene.excess_J() == Approx(0.0036).epsilon(1e-3));
 }
 
 TEST_CASE("energy balance: a shift goes back free in free space, and else as far as is paid for") {
-    EnergyBalance scene(LinkSide::scene, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
-    CHECK(scene.shift_back(Vector3::Zero(), along(-0.002), kRound_s).x() == -0.002);
-    CHECK(scene.shift_back(along(-1.0), along(-0.002), kRound_s).x() ==
-          -0.002);  // the scene gives: free
-    CHECK(scene.shift_back(along(2.0), along(-0.002), kRound_s).x() ==
-          0.0);                                                     // it would take 4 mJ, unpaid
-    scene.step(Vector3::Zero(), Vector3::Zero(), 0.002, kRound_s);  // the hand has put 2 mJ in
-    CHECK(scene.shift_back(along(2.0), along(-0.002), kRound_s).x() == Approx(-0.001));
-    CHECK(scene.shift_back(along(2.0), along(-0.001), kRound_s).x() == Approx(0.0).margin(1e-12));
+    Side scene(LinkSide::scene, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
+    CHECK(scene.shift_back(0.0, -0.002) == -0.002);
+    CHECK(scene.shift_back(-1.0, -0.002) == -0.002);  // the scene gives: free
+    CHECK(scene.shift_back(2.0, -0.002) == 0.0);      // it would take 4 mJ, unpaid
+    scene.step(0.0, 0.0, 0.002);                      // the hand has put 2 mJ in
+    CHECK(scene.shift_back(2.0, -0.002) == Approx(-0.001));
+    CHECK(scene.shift_back(2.0, -0.001) == Approx(0.0).margin(1e-12));
 }
 
 TEST_CASE("energy balance: in contact a shift comes back by lent power, not faster") {
-    EnergyBalance scene(LinkSide::scene, {.headroom_J = 0.0, .memory_s = 10.0, .lent_W = 0.004});
+    Side scene(LinkSide::scene, {.headroom_J = 0.0, .memory_s = 10.0, .lent_W = 0.004});
     // 4 mW for a millisecond against 2 N: 2 um.
-    CHECK(scene.shift_back(along(2.0), along(-0.001), kRound_s).x() == Approx(-2e-6));
+    CHECK(scene.shift_back(2.0, -0.001) == Approx(-2e-6));
     CHECK(scene.excess_J() == 0.0);
-    CHECK(scene.shift_back(along(2.0), along(-1e-7), kRound_s).x() == Approx(-1e-7));
+    CHECK(scene.shift_back(2.0, -1e-7) == Approx(-1e-7));
 }
 
 TEST_CASE("energy balance: credit is small and short-lived") {
-    EnergyBalance arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
-    arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);  // a great deal at once
-    arm.step(along(1.0), along(0.002), 5.0, kRound_s);
+    Side arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
+    arm.step(0.0, 0.0, 5.0);  // a great deal at once
+    arm.step(1.0, 0.002, 5.0);
     CHECK(arm.excess_J() == Approx(0.001).epsilon(0.02));
     // What it earned is forgotten, what it owes is not: news that come late must not pay twice.
     for (int i = 0; i < 300; ++i) {
-        arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);
+        arm.step(0.0, 0.0, 5.0);
     }
     CHECK(arm.excess_J() == Approx(0.001).epsilon(0.02));
-    arm.step(Vector3::Zero(), Vector3::Zero(), 5.001, kRound_s);
+    arm.step(0.0, 0.0, 5.001);
     CHECK(arm.excess_J() < 0.1e-3);
 }
 
 TEST_CASE("energy balance: credit that nobody uses fades by 1 - T / memory a round") {
-    EnergyBalance arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
-    arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);
+    Side arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
+    arm.step(0.0, 0.0, 5.0);
     for (int i = 0; i < 99; ++i) {
-        arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);
+        arm.step(0.0, 0.0, 5.0);
     }
     // What is left after a hundred rounds, and out of it 1 mJ.
     const double left_J = 0.001 * std::pow(0.99, 100);
-    arm.step(along(1.0), along(0.001), 5.0, kRound_s);
+    arm.step(1.0, 0.001, 5.0);
     CHECK(arm.excess_J() == Approx(0.001 - left_J).epsilon(1e-9));
 }
 
 TEST_CASE("energy balance: what is not finite and sums that shrink are not counted") {
-    EnergyBalance arm(LinkSide::arm, kNoCredit);
-    arm.step(along(kNan), along(1.0), 0.0, kRound_s);
-    arm.step(along(1.0), along(kNan), 0.0, kRound_s);
-    arm.step(along(1.0), along(1.0), kNan, kRound_s);
-    arm.step(along(1.0), along(1.0), 0.0, 0.0);
-    arm.step(along(1.0), along(1.0), 0.0, kNan);
+    Side arm(LinkSide::arm);
+    arm.step(kNan, 1.0);
+    arm.step(1.0, kNan);
+    arm.step(1.0, 1.0, kNan);
+    arm.step(1.0, 1.0, 0.0, 0.0);
+    arm.step(1.0, 1.0, 0.0, kNan);
     CHECK(arm.gave_J() == 0.0);
     CHECK(arm.excess_J() == 0.0);
     // A sum that shrinks and grows again by as much is no new energy.
-    arm.step(Vector3::Zero(), Vector3::Zero(), 0.5, kRound_s);
-    arm.step(Vector3::Zero(), Vector3::Zero(), 0.0, kRound_s);
-    arm.step(along(1.0), along(0.1), 0.5, kRound_s);
+    arm.step(0.0, 0.0, 0.5);
+    arm.step(0.0, 0.0, 0.0);
+    arm.step(1.0, 0.1, 0.5);
     CHECK(arm.excess_J() == Approx(0.1).epsilon(1e-3));
 }
 
 TEST_CASE("energy balance: a new session begins with no sums, no debt and no force of before") {
-    EnergyBalance arm(LinkSide::arm, kNoCredit);
-    arm.step(along(2.0), along(-0.001), 0.0, kRound_s);  // puts in
-    arm.step(along(2.0), along(0.002), 5.0, kRound_s);
-    arm.step(along(2.0), along(3.0), 5.0, kRound_s);  // in debt
-    arm.step(along(100.0), along(0.0), 5.0, kRound_s);
+    Side arm(LinkSide::arm);
+    arm.step(2.0, -0.001);  // puts in
+    arm.step(2.0, 0.002, 5.0);
+    arm.step(2.0, 3.0, 5.0);  // in debt
+    arm.step(100.0, 0.0, 5.0);
     REQUIRE(arm.gave_J() > 0.0);
     REQUIRE(arm.excess_J() > 0.5);
     arm.reset();
     CHECK(arm.gave_J() == 0.0);
     CHECK(arm.excess_J() == 0.0);
     // The other side's sum begins at 0 too, and what it says now is news.
-    arm.step(along(1.0), along(0.001), 0.003, kRound_s);
+    arm.step(1.0, 0.001, 0.003);
     CHECK(arm.excess_J() == 0.0);
     // At this round's force alone.
     arm.reset();
-    arm.step(along(100.0), along(0.0), 0.0, kRound_s);
+    arm.step(100.0, 0.0);
     arm.reset();
-    arm.step(along(1.0), along(0.001), 0.0, kRound_s);
+    arm.step(1.0, 0.001);
     CHECK(arm.excess_J() == Approx(0.001).epsilon(1e-12));
 }
 

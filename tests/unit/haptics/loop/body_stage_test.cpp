@@ -67,6 +67,42 @@ struct StagedBody {
     BodyStage stage;
 };
 
+// What the world hears of the hand on either solid: it touches the first with 5 N, and grips the second with 3 N.
+std::array<double, 2> touch_and_grip(double most_N) {
+    HapticPlan plan = make_body_plan(2U);
+    plan.rigid.push_back({0, 0.5, 2.0e-3, 0U});
+    StagedBody body(plan);
+    RigidFrame frame;
+    frame.stamp_s = 1.0;
+    frame.solids[0].is_present = frame.solids[1].is_present = true;
+    body.tell(frame);
+    const Pose rest[] = {Pose{}, Pose{}};
+    (void)body.stage.place(rest, 1.0);
+    GrippingHand hand{Pose::at({0.0, 0.1, 0.0}), {}, 2U};
+    body.grip_top(hand);
+    (void)body.stage.place(rest, 1.001);
+    hand.pose_W.position.y() = 0.105;
+    (void)body.stage.grip({}, hand);
+    const HandPushes& told = body.push(5.0, 1.001, most_N, 0.1, 0);
+    std::array<double, 2> forces_N{};
+    for (std::int32_t i = 0; i < told.count; ++i) {
+        const RigidPush& push = told.pushes[static_cast<std::size_t>(i)];
+        forces_N[static_cast<std::size_t>(push.solid)] = push.hold.push_W.force.norm();
+    }
+    return forces_N;
+}
+
+// Gripped at its top by a hand that pulls it up by 10 mm and has turned it by 1.5 rad.
+void grip_and_turn(StagedBody& body, GrippingHand& hand) {
+    body.tell(1.0, Vector3::Zero(), Vector3::Zero());
+    (void)body.felt(1.0);
+    hand = {Pose::at({0.0, 0.1, 0.0}), {}, 2U};
+    body.grip_top(hand);
+    (void)body.felt(1.001);
+    hand.pose_W = {Vector3(0.0, 0.11, 0.0), compute_exp(Vector3(0.0, 0.0, 1.5))};
+    (void)body.stage.grip({}, hand);
+}
+
 }  // namespace
 
 TEST_CASE("body stage: a body is where its newest frame says, moved on by its velocity") {
@@ -251,35 +287,6 @@ TEST_CASE("body stage: what has friction is held across by as much as it may bea
     CHECK(body.push(3.0, 1.0).pushes[0].hold.bounds.friction_N == Approx(0.5 * 3.0));
 }
 
-namespace {
-
-// What the world hears of the hand on either solid: it touches the first with 5 N, and grips the second with 3 N.
-std::array<double, 2> touch_and_grip(double most_N) {
-    HapticPlan plan = make_body_plan(2U);
-    plan.rigid.push_back({0, 0.5, 2.0e-3, 0U});
-    StagedBody body(plan);
-    RigidFrame frame;
-    frame.stamp_s = 1.0;
-    frame.solids[0].is_present = frame.solids[1].is_present = true;
-    body.tell(frame);
-    const Pose rest[] = {Pose{}, Pose{}};
-    (void)body.stage.place(rest, 1.0);
-    GrippingHand hand{Pose::at({0.0, 0.1, 0.0}), {}, 2U};
-    body.grip_top(hand);
-    (void)body.stage.place(rest, 1.001);
-    hand.pose_W.position.y() = 0.105;
-    (void)body.stage.grip({}, hand);
-    const HandPushes& told = body.push(5.0, 1.001, most_N, 0.1, 0);
-    std::array<double, 2> forces_N{};
-    for (std::int32_t i = 0; i < told.count; ++i) {
-        const RigidPush& push = told.pushes[static_cast<std::size_t>(i)];
-        forces_N[static_cast<std::size_t>(push.solid)] = push.hold.push_W.force.norm();
-    }
-    return forces_N;
-}
-
-}  // namespace
-
 TEST_CASE("body stage: touch and grip together give no more than the hand may feel") {
     CHECK(touch_and_grip(9.0)[0] == Approx(5.0));
     CHECK(touch_and_grip(9.0)[1] == Approx(3.0));
@@ -322,21 +329,6 @@ TEST_CASE("body stage: a grip holds the place that was touched, as long as the b
     CHECK(body.stage.grip({}, hand).force_W.norm() == 0.0);
     CHECK(body.stage.gripped() == kNoBody);
 }
-
-namespace {
-
-// Gripped at its top by a hand that pulls it up by 10 mm and has turned it by 1.5 rad.
-void grip_and_turn(StagedBody& body, GrippingHand& hand) {
-    body.tell(1.0, Vector3::Zero(), Vector3::Zero());
-    (void)body.felt(1.0);
-    hand = {Pose::at({0.0, 0.1, 0.0}), {}, 2U};
-    body.grip_top(hand);
-    (void)body.felt(1.001);
-    hand.pose_W = {Vector3(0.0, 0.11, 0.0), compute_exp(Vector3(0.0, 0.0, 1.5))};
-    (void)body.stage.grip({}, hand);
-}
-
-}  // namespace
 
 TEST_CASE("body stage: a grip turns with no more than the hand may feel at the body's arm") {
     // 6 N, and 600 * 2e-3 / 0.5 * 1.5 = 3.6 Nm; r = sqrt(2e-3 / 0.5).

@@ -68,6 +68,58 @@ double hold_with(double share, double friction) {
     return before_m - hands.box_W(0).position.y();
 }
 
+// How a world keeps up: its step, and when it is told after it began.
+struct Pace {
+    double period_s = 0.001;
+    double late_s = 0.0;
+};
+
+// An arm pushes a box 6 cm along the floor. How far do its force and hand go to and fro in half a second, 2.5 s later?
+struct Pushed {
+    double wobble_N = 0.0;
+    double moved_m = 0.0;
+    double peak_J = 0.0;
+    double box_m = 0.0;
+    Fault faults = Fault::none;
+
+    [[nodiscard]] bool is_calm(double most_J) const {
+        return wobble_N < 0.02 && moved_m < 1.0e-4 && peak_J < most_J && box_m > 0.08 &&
+               faults == Fault::none;
+    }
+};
+
+Pushed push_box(const Pace& pace, double mass_kg) {
+    BoxScene scene;
+    scene.world_rate_hz = 1.0 / pace.period_s;
+    scene.world_late_s = pace.late_s;
+    scene.boxes[0].mass_kg = mass_kg;
+    scene.human = kArm;
+    HandsInWorld hands(scene, {{-0.06, 0.03, 0.0}});
+    hands.run(0.3);
+    Pushed pushed;
+    double least_N = 0.0;
+    double most_N = 0.0;
+    double held_m = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        hands.aim(0, {-0.06 + 1.2e-4 * std::min(i, 1000), 0.03, 0.0});
+        hands.step();
+        pushed.faults |= hands.state(0).faults;
+        if (i == 3500) {
+            least_N = most_N = hands.state(0).applied_W.force.x();
+            held_m = hands.arm(0).position_D().x();
+        } else if (i > 3500) {
+            least_N = std::min(least_N, hands.state(0).applied_W.force.x());
+            most_N = std::max(most_N, hands.state(0).applied_W.force.x());
+            pushed.moved_m =
+                std::max(pushed.moved_m, std::abs(hands.arm(0).position_D().x() - held_m));
+        }
+    }
+    pushed.wobble_N = most_N - least_N;
+    pushed.peak_J = hands.state(0).force_energy.peak_J;
+    pushed.box_m = hands.box_W(0).position.x();
+    return pushed;
+}
+
 }  // namespace
 
 TEST_CASE("haptic loop: a body that is lifted by its grip weighs in the hand what it weighs") {
@@ -158,62 +210,6 @@ TEST_CASE("haptic loop: two hands stack one box on another, and it stays there")
     CHECK(hands.box_velocity_W(0).linear.norm() < 1.0e-4);
     CHECK((hands.box_W(1).position - Vector3(0.15, 0.03, 0.0)).norm() < 3.0e-3);
 }
-
-namespace {
-
-// How a world keeps up: its step, and when it is told after it began.
-struct Pace {
-    double period_s = 0.001;
-    double late_s = 0.0;
-};
-
-// An arm pushes a box 6 cm along the floor. How far do its force and hand go to and fro in half a second, 2.5 s later?
-struct Pushed {
-    double wobble_N = 0.0;
-    double moved_m = 0.0;
-    double peak_J = 0.0;
-    double box_m = 0.0;
-    Fault faults = Fault::none;
-
-    [[nodiscard]] bool is_calm(double most_J) const {
-        return wobble_N < 0.02 && moved_m < 1.0e-4 && peak_J < most_J && box_m > 0.08 &&
-               faults == Fault::none;
-    }
-};
-
-Pushed push_box(const Pace& pace, double mass_kg) {
-    BoxScene scene;
-    scene.world_rate_hz = 1.0 / pace.period_s;
-    scene.world_late_s = pace.late_s;
-    scene.boxes[0].mass_kg = mass_kg;
-    scene.human = kArm;
-    HandsInWorld hands(scene, {{-0.06, 0.03, 0.0}});
-    hands.run(0.3);
-    Pushed pushed;
-    double least_N = 0.0;
-    double most_N = 0.0;
-    double held_m = 0.0;
-    for (int i = 0; i < 4000; ++i) {
-        hands.aim(0, {-0.06 + 1.2e-4 * std::min(i, 1000), 0.03, 0.0});
-        hands.step();
-        pushed.faults |= hands.state(0).faults;
-        if (i == 3500) {
-            least_N = most_N = hands.state(0).applied_W.force.x();
-            held_m = hands.arm(0).position_D().x();
-        } else if (i > 3500) {
-            least_N = std::min(least_N, hands.state(0).applied_W.force.x());
-            most_N = std::max(most_N, hands.state(0).applied_W.force.x());
-            pushed.moved_m =
-                std::max(pushed.moved_m, std::abs(hands.arm(0).position_D().x() - held_m));
-        }
-    }
-    pushed.wobble_N = most_N - least_N;
-    pushed.peak_J = hands.state(0).force_energy.peak_J;
-    pushed.box_m = hands.box_W(0).position.x();
-    return pushed;
-}
-
-}  // namespace
 
 TEST_CASE("haptic loop: with a world of 20 steps a second a body is inertia, and nothing shakes") {
     const Pace paces[] = {{0.001, 0.0}, {0.001, 0.001}, {0.004, 0.004},

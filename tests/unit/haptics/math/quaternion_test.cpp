@@ -28,6 +28,16 @@ double find_difference(const Quaternion& q, const Eigen::Quaterniond& judge) {
 Quaternion draw(Random& random) {
     return Quaternion(random.matrix<Vector4>()).normalized();
 }
+// Any two rotations and a vector, again and again.
+template <class Law>
+void for_each_draw(unsigned seed, const Law& law) {
+    Random random(seed);
+    for (int round = 0; round < kRounds; ++round) {
+        const Quaternion q = draw(random);
+        const Quaternion p = draw(random);
+        law(q, p, random.vector());
+    }
+}
 // q and -q turn alike.
 double find_turn_difference(const Quaternion& a, const Quaternion& b) {
     return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
@@ -36,11 +46,7 @@ double find_turn_difference(const Quaternion& a, const Quaternion& b) {
 }  // namespace
 
 TEST_CASE("quaternion: what it computes is what another library does") {
-    Random random(1);
-    for (int round = 0; round < kRounds; ++round) {
-        const Quaternion q = draw(random);
-        const Quaternion p = draw(random);
-        const Vector3 v = random.vector();
+    for_each_draw(1, [](const Quaternion& q, const Quaternion& p, const Vector3& v) {
         const Eigen::Quaterniond jq = to_judge(q);
         const Eigen::Quaterniond jp = to_judge(p);
         CHECK(find_difference(q * p, jq * jp) < kRounding);
@@ -60,15 +66,11 @@ TEST_CASE("quaternion: what it computes is what another library does") {
         CHECK(product == q * p);
         CHECK(q.isApprox(p, 0.8) == jq.isApprox(jp, 0.8));
         CHECK(q.cast<float>().coeffs() == q.coeffs().cast<float>());
-    }
+    });
 }
 
 TEST_CASE("quaternion: it turns as its matrix does, and products turn one after the other") {
-    Random random(2);
-    for (int round = 0; round < kRounds; ++round) {
-        const Quaternion q = draw(random);
-        const Quaternion p = draw(random);
-        const Vector3 v = random.vector();
+    for_each_draw(2, [](const Quaternion& q, const Quaternion& p, const Vector3& v) {
         const double rounding = 4.0 * kRounding * (1.0 + v.norm());
         CHECK((q * v - q.toRotationMatrix() * v).norm() < rounding);
         CHECK((q * p * v - q * (p * v)).norm() < rounding);
@@ -78,7 +80,7 @@ TEST_CASE("quaternion: it turns as its matrix does, and products turn one after 
         CHECK(std::abs((q * v).norm() - v.norm()) < rounding);
         CHECK(std::abs(q.toRotationMatrix().determinant() - 1.0) < kRounding);
         CHECK(find_turn_difference(Quaternion(q.toRotationMatrix()), q) < kRounding);
-    }
+    });
     // x, y or z is the largest number.
     for (int axis = 0; axis < 3; ++axis) {
         for (const double angle : {0.9 * kPi, kPi, -0.95 * kPi}) {
@@ -149,10 +151,7 @@ TEST_CASE("quaternion: it is the exponential of its logarithm, and of an angle a
 }
 
 TEST_CASE("quaternion: slerp begins here, ends there, and goes the shorter way at an even rate") {
-    Random random(5);
-    for (int round = 0; round < kRounds; ++round) {
-        const Quaternion q = draw(random);
-        const Quaternion p = draw(random);
+    for_each_draw(5, [](const Quaternion& q, const Quaternion& p, const Vector3&) {
         const double whole = q.angularDistance(p);
         CHECK(find_turn_difference(q.slerp(0.0, p), q) < kRounding);
         CHECK(find_turn_difference(q.slerp(1.0, p), p) < kRounding);
@@ -166,7 +165,7 @@ TEST_CASE("quaternion: slerp begins here, ends there, and goes the shorter way a
             const Quaternion opposite(-p.coeffs());
             CHECK(find_turn_difference(q.slerp(share, opposite), between) < 1.0e-12);
         }
-    }
+    });
     // From what is the same, and what is nearly so.
     const Quaternion q(AngleAxis(0.3, Vector3::UnitY()));
     CHECK(find_turn_difference(q.slerp(0.4, q), q) < kRounding);
