@@ -38,7 +38,7 @@ ProxyContact make_corner(double a, double b) {
 }
 
 // A proxy at a place, held by one plane of solid 0 and dragged along it.
-ProxyContact make_contact(const Vector3& at_W, const Vector3& normal_W, std::int32_t solid = 0,
+ProxyContact make_touched(const Vector3& at_W, const Vector3& normal_W, std::int32_t solid = 0,
                           std::int32_t feature = -1, const Vector3& drag_W = Vector3::Zero()) {
     ProxyContact contact;
     contact.position_W = at_W;
@@ -68,7 +68,7 @@ TEST_CASE("contact stage: each solid has its own coupling, one without has the p
     ContactStage stage(make_plan());
     for (const auto& [solid, coupling] :
          {std::pair{0, kSoft}, {1, kHard}, {2, make_plan().coupling}, {7, make_plan().coupling}}) {
-        const ProxyContact contact = make_contact(Vector3::Zero(), Vector3::UnitY(), solid);
+        const ProxyContact contact = make_touched(Vector3::Zero(), Vector3::UnitY(), solid);
         const Vector3 velocity(0.0, -0.1, 0.0);
         const ContactForce felt = stage.step(contact, Vector3(0.0, -0.002, 0.0), velocity, {});
         CHECK(felt.spring.force.y() == Approx(0.002 * coupling.stiffness_N_per_m));
@@ -129,7 +129,7 @@ TEST_CASE("contact stage: shading turns the force and keeps its size; else it is
     const Vector3 p2 = mesh->vertex_B(corners[2]);
     const Vector3 place_B = 0.7 * p0 + 0.2 * p1 + 0.1 * p2;
     const Vector3 normal_W = pose_W.orientation * (p1 - p0).cross(p2 - p0).normalized();
-    ProxyContact contact = make_contact(pose_W * place_B, normal_W, 0, 5);
+    ProxyContact contact = make_touched(pose_W * place_B, normal_W, 0, 5);
     const Vector3 hand_W = contact.position_W - 0.002 * normal_W;
     const std::array<Pose, 1> poses{pose_W};
     const ContactForce plain = flat.step(contact, hand_W, Vector3::Zero(), poses);
@@ -155,7 +155,7 @@ TEST_CASE("contact stage: what friction holds stays in a shaded force") {
     const Vector3 n = corner.normalized();
     const Vector3 t = n.unitOrthogonal();
     const std::array<Pose, 1> poses{};
-    const ContactForce felt = stage.step(make_contact(corner, n, 0, 0, 0.001 * t),
+    const ContactForce felt = stage.step(make_touched(corner, n, 0, 0, 0.001 * t),
                                          corner - 0.002 * n - 0.001 * t, Vector3::Zero(), poses);
     // The corner of a coarse ball: its normal is a degree off the radius.
     CHECK((felt.force_W - Vector3(1.0 * n + 0.5 * t)).norm() < 0.02);
@@ -173,7 +173,7 @@ TEST_CASE("contact stage: a shaded force stays in friction's cone, whatever the 
     for (const Vector3& t : {along, Vector3(-along), Vector3(n.cross(along))}) {
         const std::array<Pose, 1> poses{};
         const ContactForce felt =
-            stage.step(make_contact(corner, n, 0, 0, 0.0016 * t), corner - 0.002 * n - 0.0016 * t,
+            stage.step(make_touched(corner, n, 0, 0, 0.0016 * t), corner - 0.002 * n - 0.0016 * t,
                        Vector3::Zero(), poses);
         const Vector3& shaded = felt.spring.normal;
         CHECK(shaded.dot(n) < 0.98);  // bent by more than ten degrees
