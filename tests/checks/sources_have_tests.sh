@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # sources_have_tests.sh [ROOT]: fails on a .cpp of haptics, dialogue or runtime without a test of the same name under
-# tests/unit. untested.txt lists those that are tested elsewhere, each with the place and the reason; an entry that is
-# no longer needed fails too.
+# tests/unit: NAME_test.cpp, or NAME_table.txt, which the test of its folder reads. untested.txt lists those that are
+# tested elsewhere, each with the place and the reason; an entry that is no longer needed fails too.
 set -euo pipefail
 cd "${1:-$(dirname -- "$0")/../..}"
 
 exceptions=tests/checks/untested.txt
 bad=0
 while read -r source; do
-    has_test=$(find tests/unit -name "$(basename "$source" .cpp)_test.cpp" -print -quit)
+    has_test=$(find tests/unit \( -name "$(basename "$source" .cpp)_test.cpp" \
+        -o -name "$(basename "$source" .cpp)_table.txt" \) -print -quit)
     excepted=$(awk -v source="$source" '$1 == source' "$exceptions")
     if [[ -z $has_test && -z $excepted ]]; then
         echo "$source: no test of this name under tests/unit"

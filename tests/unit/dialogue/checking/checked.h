@@ -48,36 +48,4 @@ inline EnglishChecker words_alone() {
     return {opened_lexicon(), std::make_unique<NullJudge>()};
 }
 
-/// "R:ADJ:FORM => The egg is *heavier*."
-inline std::string checked(std::string_view text) {
-    static EnglishChecker checker = words_alone();
-    const CheckedText result = checker.check(text);
-    std::string found;
-    for (const FreeError& error : result.errors) {
-        found += std::string(errant_code(error.code)) + " ";
-    }
-    return found + "=> " + result.marked;
-}
-
-/// One row of a test: what is said, what is found, the corrected text with marks.
-struct CheckedRow {
-    const char *said, *found;
-};
-
-template <std::size_t N>
-void check_rows(const CheckedRow (&rows)[N]) {
-    for (const CheckedRow& row : rows) {
-        INFO(row.said);
-        CHECK(checked(row.said) == row.found);
-    }
-}
-
-/// None of them has an error.
-template <std::size_t N>
-void check_right(const char* const (&sentences)[N]) {
-    for (const std::string sentence : sentences) {
-        CHECK(checked(sentence) == "=> " + sentence);
-    }
-}
-
 }  // namespace fulcrum::dialogue

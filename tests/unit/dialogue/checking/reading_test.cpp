@@ -37,18 +37,3 @@ TEST_CASE("reading: an apostrophe s is a verb behind a pronoun and an owner's be
     CHECK_FALSE(only_sentence("it's big")[1].possessive);
     CHECK(only_sentence("the moon's side")[2].possessive);
 }
-
-TEST_CASE("reading: a decimal number is one word, and more than one where it is more than 1") {
-    const FreeSentence sentence = only_sentence("It weighs 29.4 newtons, not 1.0 or 0.5.");
-    REQUIRE(sentence.size() == 8);
-    CHECK(sentence[2].text == "29.4");
-    CHECK(sentence[2].number);
-    CHECK(sentence[3].text == "newtons");
-    CHECK(sentence[5].text == "1.0");
-    CHECK_FALSE(sentence[5].number);
-    CHECK(sentence[7].text == "0.5");
-    check_right({"It weighs 9.8 newtons.", "Your arm is 1.00 metres long.",
-                 "It is 0.5 metres long.", "Neptune has 17.1 times the mass of the Earth.",
-                 "It weighs 3.0 newtons."});
-    check_rows({{"It weighs 9.8 newton.", "R:NOUN:NUM => It weighs 9.8 *newtons*."}});
-}

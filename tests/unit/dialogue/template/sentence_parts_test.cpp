@@ -6,19 +6,6 @@
 
 using namespace fulcrum::dialogue;
 
-namespace {
-
-/// The text with "not" behind its first "is".
-std::string denied(const std::string& text) {
-    const TemplateSet set = compiled_templates({{"the {thing}"}, fruit(), {}});
-    const auto syntax = parse_template(text);
-    REQUIRE(syntax);
-    const ParsedRules rules;
-    return SentenceParts(set, rules, text, *syntax).denied(text.find("is"));
-}
-
-}  // namespace
-
 TEST_CASE("sentence parts: where the verb stands, what is compared, and with what") {
     const TemplateSet set = compiled_templates(
         {{"[the] {thing} is <comparative:heavy>"}, {{"thing", {"red block", "blue block"}}}, {}});
@@ -41,12 +28,4 @@ TEST_CASE("sentence parts: where the verb stands, what is compared, and with wha
     CHECK(parts.same_words("thing", "thing"));
     CHECK(parts.list_of("other") == nullptr);
     CHECK(parts.is_plain_statement());
-}
-
-TEST_CASE("sentence parts: what is denied is said on its own way through the brackets") {
-    CHECK(denied("it is red") == "it is not red");
-    CHECK(denied("[it is] red") == "it is not red");
-    CHECK(denied("[(it|the box) is] red [today]") == "(it|the box) is not red [today]");
-    CHECK(denied("it (looks|is|seems) red") == "it is not red");
-    CHECK(denied("[(a|the) [is|lies] on] it") == "(a|the) is not on it");
 }

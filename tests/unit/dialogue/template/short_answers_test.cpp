@@ -7,42 +7,6 @@
 
 using namespace fulcrum::dialogue;
 
-namespace {
-
-std::vector<std::string> shorts_of(const Question& question, const std::vector<std::string>& said) {
-    std::vector<std::string> result;
-    for (const std::string& text : said) {
-        const auto parse = match(*question.templates, text);
-        const bool is_short =
-            parse && parse->cost == 0 &&
-            question.templates->graphs[static_cast<std::size_t>(parse->graph)].short_answer;
-        if (is_short) {
-            result.push_back(text);
-        }
-    }
-    return result;
-}
-
-}  // namespace
-
-TEST_CASE("short answers: each kind of question has its own") {
-    const std::vector<std::string> said = {
-        "metal",           "it is metal",  "it is made of metal",
-        "made of metal",   "of metal",     "hard",
-        "hard and smooth", "it is hard",   "they feel hard and smooth",
-        "the key",         "it is the key"};
-    CHECK(shorts_of(made_of_what(), said) == std::vector<std::string>{"metal", "it is metal",
-                                                                      "it is made of metal",
-                                                                      "made of metal", "of metal"});
-    CHECK(shorts_of(feels_how(), said) == std::vector<std::string>{"hard", "hard and smooth",
-                                                                   "it is hard",
-                                                                   "they feel hard and smooth"});
-    CHECK(shorts_of(feels_two(), said) ==
-          std::vector<std::string>{"hard and smooth", "they feel hard and smooth"});
-    CHECK(shorts_of(what_of_metal(), said) == std::vector<std::string>{"the key", "it is the key"});
-    CHECK(shorts_of(compares_feel(), said).empty());
-}
-
 TEST_CASE("short answers: what is turned round comes last and is taken for nothing else") {
     const Question question = made_of_what();
     const TemplateSet& set = *question.templates;
@@ -71,33 +35,4 @@ TEST_CASE("short answers: what is turned round comes last and is taken for nothi
         compiled_templates({{"{material:thing} <made_of:{material}>"}, textures(), {}});
     CHECK_FALSE(same.graphs.back().turned_round);
     CHECK(match(same, "paper is made of wood"));
-}
-
-TEST_CASE("short answers: they stay within the budget of arcs, or the template is refused") {
-    NamedLists lists{{"thing", {}}, {"material", {}}};
-    for (int i = 0; i < 400; ++i) {
-        lists[0].second.push_back("thing" + std::to_string(i));
-        lists[1].second.push_back("stuff" + std::to_string(i));
-    }
-    std::vector<std::string> answers(4, "[a|the] {thing} <made_of:{material}>");
-    const auto many = compile_templates({answers, lists, {}});
-    REQUIRE_FALSE(many);
-    CHECK_THAT(many.error().message, Catch::Contains("grow beyond"));
-}
-
-TEST_CASE("short answers: what is counted is said alone, and completed") {
-    const NamedLists numbers{{"number", {"one|a|an", "two", "three"}}};
-    const Question ramps =
-        compiled({"q", "How many ramps are there?", {"there are {number} <plural:ramp>"}, numbers});
-    CHECK(shorts_of(ramps, {"three ramps", "two ramps", "three", "a ramp", "ramps"}) ==
-          std::vector<std::string>{"three ramps", "two ramps", "three", "a ramp"});
-    CHECK(mark_answer(ramps, "three ramps").corrected == "There are three ramps.");
-    CHECK(mark_answer(ramps, "three ramps").slot("number") == "three");
-    CHECK(mark_answer(ramps, "three ramp").form_errors.size() == 1);
-    CHECK(mark_answer(ramps, "three ramp").emphasised == "There are three *ramps*.");
-    // What the author wrote is no short answer.
-    const Question both = compiled(
-        {"q", "How many?", {"there are {number} <plural:egg>", "{number} <plural:egg>"}, numbers});
-    CHECK(shorts_of(both, {"two eggs"}).empty());
-    CHECK(mark_answer(both, "two eggs").understood);
 }
