@@ -42,6 +42,42 @@ inline GodObjectTool make_god_tool(const TriangleMesh& tool,
     return GodObjectTool::build(plans, settings).value();
 }
 
+/// So heavy to turn that it stays as it is held.
+inline Inertia make_still_inertia() {
+    return {.mass_kg = 0.05, .moments_kg_m2 = Vector3::Constant(0.05)};
+}
+
+inline TriangleMesh make_cube(double edge_m) {
+    return make_box(Vector3::Constant(edge_m)).value();
+}
+
+/// A block 0.1 m high whose upper face lies at y = 0.
+inline TriangleMesh make_ground(double side_m = 0.5) {
+    const PlacedBox block{{0.0, -0.05, 0.0}, {side_m, 0.1, side_m}};
+    return make_boxes({&block, 1}).value();
+}
+
+/// Its tip at the origin, pointing down; steep, so that the tip alone touches.
+inline TriangleMesh make_spike() {
+    return TriangleMesh::build({{0.0, 0.0, 0.0},
+                                {0.004, 0.02, 0.0},
+                                {-0.002, 0.02, 0.0035},
+                                {-0.002, 0.02, -0.0035}},
+                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+        .value();
+}
+
+/// Steps of a tool against one object, both held at their places; what the last one felt.
+inline ToolFelt move_to(GodObjectTool& tool, const Pose& handle_W, int n_steps = 1,
+                        const Pose& object_W = {}) {
+    ToolFelt felt;
+    const MovingFrame object{object_W, {}};
+    for (int i = 0; i < n_steps; ++i) {
+        felt = tool.move({handle_W, {}}, {&object, 1}, 0.0, kGodDt_s);
+    }
+    return felt;
+}
+
 /// Do surfaces cross? Every triangle against every other whose boxes along the axes meet, by exact signs.
 inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const TriangleMesh& tool,
                      const Pose& tool_W) {

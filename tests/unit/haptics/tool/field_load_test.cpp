@@ -2,9 +2,10 @@
 
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/loads.h"
-#include "haptics/geometry/shape.h"
 #include "haptics/tool/voxel_tool.h"
 #include "tests/support/adding_load.h"
+#include "tests/support/differentiated_loads.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -19,9 +20,7 @@ namespace {
 constexpr double kRadius_m = 0.1;
 
 FieldSampler::Field make_ball(int n_along) {
-    const TriangleMesh mesh = make_sphere(kRadius_m, 12).value();
-    return std::make_shared<const DistanceField>(
-        DistanceField::build(mesh, DistanceField::make_frame(mesh, n_along).value()).value());
+    return test::make_field(make_sphere(kRadius_m, 12).value(), n_along);
 }
 
 // A ball about ten voxels thick, so that its field bends.
@@ -38,8 +37,8 @@ FieldSampler::Field large_ball() {
 
 FieldSampling make_sampling(const Pointshell& shell, ForceAlong along,
                             const FieldSampler::Field& field = small_ball()) {
-    auto tree = std::make_shared<const ShellTree>(ShellTree::build(shell).value());
-    return FieldSampling::build({field, tree, {.stiffness_N_per_m = 200.0, .along = along}})
+    return FieldSampling::build(
+               {field, test::make_shell(shell), {.stiffness_N_per_m = 200.0, .along = along}})
         .value();
 }
 
@@ -77,19 +76,10 @@ Pointshell make_inner_points(int n, double depth_voxels = 0.8,
     return shell;
 }
 
-RigidState change(const RigidState& state, int column, double by) {
-    RigidState changed = state;
-    Vector6 d = Vector6::Zero();
-    d[column] = by;
-    changed.pose_W.position += d.head<3>();
-    changed.pose_W.orientation = compute_exp(d.tail<3>()) * state.pose_W.orientation;
-    return changed;
-}
-
-Vector6 to_vector(const Wrench& wrench) {
-    Vector6 v;
-    v << wrench.force, wrench.torque;
-    return v;
+RigidState put_at(double x_m, double y_m = 0.0, double z_m = 0.0) {
+    RigidState state;
+    state.pose_W.position = {x_m, y_m, z_m};
+    return state;
 }
 
 }  // namespace
@@ -113,13 +103,12 @@ TEST_CASE("field load: derivatives are those of finite differences, along normal
             // A tenth of a voxel, for a turn at the farthest point: no point leaves its cell.
             const double way_m = 0.1 * sampling.frame().voxel_m;
             const double step = column < 3 ? way_m : way_m / sampling.reach_m();
-            const VoxelContact more = load.compute_contact(change(make_state(), column, step), 0.0);
-            const VoxelContact less =
-                load.compute_contact(change(make_state(), column, -step), 0.0);
-            REQUIRE(more.n_surface == 60);
-            REQUIRE(less.n_surface == 60);
-            differences.col(column) =
-                (to_vector(more.wrench_W) - to_vector(less.wrench_W)) / (2.0 * step);
+            const auto find_at = [&](double by) {
+                const RigidState state = test::perturb(make_state(), column, false, by);
+                REQUIRE(load.compute_contact(state, 0.0).n_surface == 60);
+                return test::find_wrench(load, state);
+            };
+            differences.col(column) = (find_at(step) - find_at(-step)) / (2.0 * step);
         }
         for (int row = 0; row < 6; row += 3) {
             for (int column = 0; column < 6; column += 3) {
@@ -163,9 +152,7 @@ TEST_CASE("field load: along normals the force is continuous from voxel to voxel
     for (int i = 0; i <= kSteps; ++i) {
         // In on one side and out on the other, past the band.
         const double x = 1.2 * kRadius_m * (1.0 - 2.0 * i / kSteps);
-        RigidState state;
-        state.pose_W.position = {x, 0.013, 0.007};
-        const double felt_N = sampling.sample(state, {}).wrench_W.force.x();
+        const double felt_N = sampling.sample(put_at(x, 0.013, 0.007), {}).wrench_W.force.x();
         const double way_m = 2.4 * kRadius_m / kSteps;
         REQUIRE(std::abs(felt_N - last_N) <
                 200.0 * (small_ball()->slope_bound() * way_m + 1.0e-4 * voxel_m));
@@ -180,11 +167,7 @@ TEST_CASE("field load: a touch begins at the surface, and a point as deep as the
     Pointshell shell;
     shell.add(Vector3::Zero(), -Vector3::UnitX());
     const FieldSampling sampling = make_sampling(shell, ForceAlong::slopes);
-    const auto look = [&](double x) {
-        RigidState state;
-        state.pose_W.position = {x, 0.0, 0.0};
-        return sampling.sample(state, {}).deepest();
-    };
+    const auto look = [&](double x) { return sampling.sample(put_at(x), {}).deepest(); };
     const double voxel_m = sampling.frame().voxel_m;
     CHECK(look(kRadius_m + 0.5 * voxel_m) == VoxelClass::free);
     CHECK(look(kRadius_m - 0.5 * voxel_m) == VoxelClass::surface);
@@ -202,8 +185,7 @@ TEST_CASE(
     const FieldSampling sampling = make_sampling(shell, ForceAlong::normals);
     const Inertia inertia = make_ball_inertia(0.1, 0.02);
     for (const Integrator integrator : kIntegrators) {
-        RigidState state;
-        state.pose_W.position = {0.0, kRadius_m + 0.021, 0.0};
+        RigidState state = put_at(0.0, kRadius_m + 0.021);
         ToolCouplingSettings coupling;
         coupling.shift.stiffness_N_per_m = 100.0;
         coupling = make_critically_damped(coupling, inertia.mass_kg, inertia.moments_kg_m2);
@@ -231,18 +213,11 @@ TEST_CASE("field load: what a budget left out is told with the wrench") {
         const Vector3 out = random.direction();
         shell.add((kRadius_m - 0.3 * small_ball()->frame().voxel_m) * out, -out);
     }
-    const auto tree = std::make_shared<const ShellTree>(ShellTree::build(shell).value());
-    const auto make = [&](double budget_us) {
-        return FieldSampling::build(
-                   {small_ball(), tree, {.budget_us = budget_us, .clock = BudgetClock::counted}})
-            .value();
-    };
-    const FieldSampling all = make(0.0);
-    const FieldSampling some = make(20.0);
-    RigidState state;
-    state.pose_W.position = {0.001, 0.0, 0.0};
-    const VoxelContact exact = all.sample(state, {});
-    const VoxelContact contact = some.sample(state, {});
+    FieldSamplingPlan plan{small_ball(), test::make_shell(shell), {.clock = BudgetClock::counted}};
+    const RigidState state = put_at(0.001);
+    const VoxelContact exact = FieldSampling::build(plan)->sample(state, {});
+    plan.settings.budget_us = 20.0;
+    const VoxelContact contact = FieldSampling::build(plan)->sample(state, {});
     CHECK(exact.error_N == 0.0);
     CHECK(exact.error_Nm == 0.0);
     const double off_N = (contact.wrench_W.force - exact.wrench_W.force).norm();
@@ -250,8 +225,6 @@ TEST_CASE("field load: what a budget left out is told with the wrench") {
     CHECK(contact.error_N >= off_N);
     CHECK(contact.error_Nm >= (contact.wrench_W.torque - exact.wrench_W.torque).norm());
     // A tool among two such objects tells both together, and of each its own.
-    const FieldSamplingPlan plan{
-        small_ball(), tree, {.budget_us = 20.0, .clock = BudgetClock::counted}};
     VoxelToolSettings settings;
     settings.inertia = make_ball_inertia(0.1, 0.02);
     FieldTool tool = FieldTool::build({plan, plan}, settings).value();

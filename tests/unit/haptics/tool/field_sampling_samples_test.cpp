@@ -1,6 +1,6 @@
 // What samples tell a budget of time, on a counted clock: in a socket nearly all points are near, and few touch.
-#include "haptics/geometry/shape.h"
 #include "haptics/tool/field_sampling.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
@@ -31,25 +31,16 @@ double cost_us(const FieldTouch& touch) {
            static_cast<double>(touch.n_groups) * kGroup_us;
 }
 
-// A ball with a hollow in it.
 FieldSampler::Field socket() {
-    static const FieldSampler::Field kField = [] {
-        const TriangleMesh mesh =
-            make_hollow(*make_sphere(1.2, 24), *make_bumpy_sphere(1.0, 24, 0.02, 9.0)).value();
-        return std::make_shared<const DistanceField>(
-            DistanceField::build(mesh, DistanceField::make_frame(mesh, 128).value()).value());
-    }();
+    static const FieldSampler::Field kField = test::make_field(
+        make_hollow(*make_sphere(1.2, 24), *make_bumpy_sphere(1.0, 24, 0.02, 9.0)).value(), 128);
     return kField;
 }
 
 // What fills it but for a voxel.
 FieldSampler::Shell plug() {
-    static const FieldSampler::Shell kShell = std::make_shared<const ShellTree>(
-        ShellTree::build(
-            make_surface_pointshell(
-                *make_bumpy_sphere(1.0 - socket()->frame().voxel_m, 24, 0.02, 9.0), 100000)
-                .value())
-            .value());
+    static const FieldSampler::Shell kShell = test::make_shell(
+        *make_bumpy_sphere(1.0 - socket()->frame().voxel_m, 24, 0.02, 9.0), 100000);
     return kShell;
 }
 
@@ -101,22 +92,13 @@ TEST_CASE("field sampling samples: in a socket the force is right to 1 %, and th
 }
 
 TEST_CASE("field sampling samples: a lone tip that was found is kept while samples see another") {
-    const TriangleMesh mesh = *make_box({1.0, 1.0, 1.0});
-    const FieldSampler::Field box = std::make_shared<const DistanceField>(
-        DistanceField::build(mesh, DistanceField::make_frame(mesh, 64).value()).value());
+    const FieldSampler::Field box = test::make_unit_box_field(64);
     const double voxel_m = box->frame().voxel_m;
-    constexpr int kSide = 200;
-    constexpr int kTip = 7777;
-    Pointshell points;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        const int row = i / kSide;
-        const int column = i % kSide;
+    const auto plate = test::make_shell(test::make_point_rows(200, 0.8, [&](int row, int column) {
+        const bool is_tip = 200 * row + column == 7777;
         const bool is_patch = row >= 150 && row < 170 && column >= 150 && column < 170;
-        const double down_voxels = i == kTip ? 1.3 : is_patch ? 0.6 : 0.0;
-        points.add({0.8 * column / kSide - 0.4, -down_voxels * voxel_m, 0.8 * row / kSide - 0.4},
-                   Vector3::UnitY());
-    }
-    const auto plate = std::make_shared<const ShellTree>(ShellTree::build(points).value());
+        return -voxel_m * (is_tip ? 1.3 : is_patch ? 0.6 : 0.0);
+    }));
     FieldSampler all = make(box, plate, 0.0);
     FieldSampler some = make(box, plate, 15.0);
     const auto at = [&](double up_voxels) {

@@ -1,6 +1,6 @@
-#include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/field_sampling.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -14,16 +14,9 @@ namespace {
 
 FieldSampler make_sampler(const TriangleMesh& object, int n_along, const TriangleMesh& tool,
                           int n_points) {
-    const auto field = std::make_shared<const DistanceField>(
-        DistanceField::build(object, DistanceField::make_frame(object, n_along).value()).value());
-    const auto shell = std::make_shared<const ShellTree>(
-        ShellTree::build(make_surface_pointshell(tool, n_points).value()).value());
-    return FieldSampler::build(field, shell, {}).value();
-}
-
-FieldSampler make_bumpy_sampler() {
-    return make_sampler(*make_bumpy_sphere(1.0, 16, 0.05, 12.0), 128,
-                        *make_bumpy_sphere(1.0, 16, 0.03, 9.0), 20000);
+    return FieldSampler::build(test::make_field(object, n_along), test::make_shell(tool, n_points),
+                               {})
+        .value();
 }
 
 // A ball of 20 mm on a box of 100 mm; voxels of some 1.7 mm.
@@ -67,7 +60,8 @@ TEST_CASE(
 
 TEST_CASE(
     "field sampling sweep: no motion passes through what it first touches, turning ones too") {
-    FieldSampler sampler = make_bumpy_sampler();
+    FieldSampler sampler = make_sampler(*make_bumpy_sphere(1.0, 16, 0.05, 12.0), 128,
+                                        *make_bumpy_sphere(1.0, 16, 0.03, 9.0), 20000);
     Random random(9);
     int n_hits = 0;
     for (int k = 0; k < 60; ++k) {

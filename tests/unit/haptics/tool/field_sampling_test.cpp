@@ -1,7 +1,9 @@
 #include "haptics/tool/field_sampling.h"
 
-#include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/field_parts.h"
+#include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -10,33 +12,21 @@
 #include <limits>
 
 using namespace fulcrum;
+using test::make_field;
+using test::make_shell;
+using test::make_unit_box_field;
 
 namespace {
 
-FieldSampler::Field make_field(const TriangleMesh& mesh, int n_along) {
-    return std::make_shared<const DistanceField>(
-        DistanceField::build(mesh, DistanceField::make_frame(mesh, n_along).value()).value());
-}
+constexpr SamplingMode kModes[] = {SamplingMode::brute_force, SamplingMode::tree,
+                                   SamplingMode::coherent};
 
-FieldSampler::Field bumpy() {
-    static const FieldSampler::Field kField =
-        make_field(*make_bumpy_sphere(1.0, 16, 0.05, 12.0), 128);
-    return kField;
-}
-
-FieldSampler::Shell make_shell(const TriangleMesh& mesh, int n_points) {
-    return std::make_shared<const ShellTree>(
-        ShellTree::build(make_surface_pointshell(mesh, n_points).value()).value());
-}
-
-FieldSampler::Shell ball() {
-    static const FieldSampler::Shell kShell =
-        make_shell(*make_bumpy_sphere(1.0, 16, 0.03, 9.0), 20000);
-    return kShell;
-}
-
+// One bumpy ball on another.
 FieldSampler make(SamplingMode mode, ForceAlong along = ForceAlong::normals) {
-    return FieldSampler::build(bumpy(), ball(), {.along = along, .mode = mode}).value();
+    static const auto kField = std::make_shared<const DistanceField>(test::build_bumpy_field(128));
+    static const FieldSampler::Shell kBall =
+        make_shell(*make_bumpy_sphere(1.0, 16, 0.03, 9.0), 20000);
+    return FieldSampler::build(kField, kBall, {.along = along, .mode = mode}).value();
 }
 
 // A tool that wanders over the object, now faster, now slower, lifts off, jumps and is turned.
@@ -100,13 +90,9 @@ TEST_CASE(
 TEST_CASE(
     "field sampling: a plane of points over a face feels k d n, and the torque about its origin") {
     // The lower face of a plate lies d deep in the upper face of a box.
-    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
-    Pointshell points;
-    constexpr int kSide = 10;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        points.add({0.02 * (i % kSide) + 0.1, -0.05, 0.02 * (i / kSide)}, Vector3::UnitY());
-    }
-    const auto shell = std::make_shared<const ShellTree>(ShellTree::build(points).value());
+    const FieldSampler::Field box = make_unit_box_field(64);
+    const Pointshell plate = test::make_point_rows(10, 0.2, [](int, int) { return -0.05; });
+    const auto shell = make_shell(make_moved(plate, Pose::at({0.2, 0.0, 0.1})));
     for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
         FieldSampler sampler =
             FieldSampler::build(box, shell, {.stiffness_N_per_m = 50.0, .along = along}).value();
@@ -114,10 +100,9 @@ TEST_CASE(
         const Pose X_WO{{3.0, 1.0, -2.0},
                         Quaternion(AngleAxis(0.7, Vector3(1, 2, 3).normalized()))};
         const FieldTouch touch = sampler.step(X_WO, X_WO * Pose::at({0.0, 0.55 - d, 0.0}));
-        const double n = kSide * kSide;
-        const Vector3 force_O = 50.0 * d * n * Vector3::UnitY();
+        const Vector3 force_O = 50.0 * d * 100.0 * Vector3::UnitY();
         const Vector3 middle_O(0.19, -0.05, 0.09);
-        CHECK(touch.n_touching == kSide * kSide);
+        CHECK(touch.n_touching == 100);
         CHECK(touch.deepest_m == Approx(d).margin(1.0e-5));
         CHECK((touch.wrench_W.force - X_WO.orientation * force_O).norm() < 1.0e-3 * force_O.norm());
         CHECK((touch.wrench_W.torque - X_WO.orientation * middle_O.cross(force_O)).norm() <
@@ -161,32 +146,27 @@ TEST_CASE("field sampling: free space gives no force, and at rest almost nothing
     CHECK(touch.n_groups == 0);
 }
 
-TEST_CASE("field sampling: a pose beyond all reach gives no force, and the next is as ever") {
+TEST_CASE("field sampling: beyond all reach, or nowhere, is no force, and the next is as ever") {
     FieldSampler coherent = make(SamplingMode::coherent);
     const Pose touching = Pose::at({1.95, 0.0, 0.0});
     const FieldTouch before = coherent.step({}, touching);
     REQUIRE(before.n_touching > 0);
-    for (const double far_m : {1.0e8, 1.0e19, 1.0e300}) {
-        CHECK(coherent.step({}, Pose::at({far_m, 0.0, 0.0})).n_touching == 0);
+    const Pose nowhere = Pose::at(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
+    for (const Pose& pose : {Pose::at({1.0e8, 0.0, 0.0}), Pose::at({1.0e19, 0.0, 0.0}),
+                             Pose::at({1.0e300, 0.0, 0.0}), nowhere}) {
+        const FieldTouch touch = coherent.step({}, pose);
+        CHECK(touch.n_touching == 0);
+        CHECK(touch.wrench_W.force == Vector3::Zero());
         CHECK(is_same(coherent.step({}, touching), before));
     }
-}
-
-TEST_CASE("field sampling: a pose that is no number gives no force, and the next is as ever") {
-    FieldSampler coherent = make(SamplingMode::coherent);
-    const Pose touching = Pose::at({1.95, 0.0, 0.0});
-    const FieldTouch before = coherent.step({}, touching);
-    REQUIRE(before.n_touching > 0);
-    const Pose broken = Pose::at(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
-    CHECK(coherent.step({}, broken).wrench_W.force == Vector3::Zero());
-    CHECK(coherent.step(broken, touching).n_touching == 0);
+    CHECK(coherent.step(nowhere, touching).n_touching == 0);
     CHECK(is_same(coherent.step({}, touching), before));
 }
 
 TEST_CASE("field sampling: by itself it takes the law by which no closed way gains energy") {
     CHECK(FieldSamplingSettings{}.along == ForceAlong::slopes);
     // A closed way of a tilted sole over an edge of a box: by normals it gains, by slopes it does not.
-    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    const FieldSampler::Field box = make_unit_box_field(64);
     const FieldSampler::Shell plate = make_shell(*make_inverted(*make_plate(0.3, 0.3, 4)), 3000);
     const auto gain = [&](ForceAlong along) {
         FieldSampler sampler = FieldSampler::build(box, plate, {.along = along}).value();
@@ -211,7 +191,7 @@ TEST_CASE("field sampling: by itself it takes the law by which no closed way gai
 }
 
 TEST_CASE("field sampling: a tool deeper than the band is pushed out, harder the deeper it is") {
-    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 128);
+    const FieldSampler::Field box = make_unit_box_field(128);
     const FieldSampler::Shell ball = make_shell(*make_sphere(0.03, 8), 300);
     FieldSampler sampler = FieldSampler::build(box, ball, {.stiffness_N_per_m = 10.0}).value();
     double before_N = 0.0;
@@ -236,13 +216,11 @@ TEST_CASE(
     "field sampling: with or without holes, below the band too, all modes sum D in double "
     "precision") {
     const TriangleMesh ball = *make_bumpy_sphere(1.0, 16, 0.05, 9.0);
-    std::vector<TriangleCorners> triangles = ball.triangles();
-    triangles.resize(triangles.size() - triangles.size() / 20);
     const Pointshell points = make_surface_pointshell(*make_sphere(0.15, 12), 3000).value();
-    const auto shell = std::make_shared<const ShellTree>(ShellTree::build(points).value());
+    const auto shell = make_shell(points);
     for (const bool open : {false, true}) {
         const FieldSampler::Field field = make_field(
-            open ? TriangleMesh::build(ball.vertices_B(), triangles).value() : ball, 128);
+            open ? test::take_first(ball, -std::ssize(ball.triangles()) / 20) : ball, 128);
         REQUIRE((field->counts().n_open_edges > 0) == open);
         Random random(6);
         double clamped = 0.0;
@@ -257,8 +235,7 @@ TEST_CASE(
                 sum_in_band += std::max(-field->sample(p_O).value_m, 0.0) * normal_O;
             }
             clamped = std::max(clamped, (sum - sum_in_band).norm() / std::max(sum.norm(), 1e-3));
-            for (const SamplingMode mode :
-                 {SamplingMode::brute_force, SamplingMode::tree, SamplingMode::coherent}) {
+            for (const SamplingMode mode : kModes) {
                 FieldSampler sampler =
                     FieldSampler::build(
                         field, shell,
@@ -276,25 +253,13 @@ TEST_CASE(
 TEST_CASE(
     "field sampling: of a box without a lid, as a sheet, all modes feel the walls and no lid") {
     const TriangleMesh closed = *make_box({1.0, 1.0, 1.0});
-    std::vector<TriangleCorners> triangles;
-    for (const TriangleCorners& t : closed.triangles()) {
-        const auto at = [&](std::size_t i) {
-            return closed.vertices_B()[static_cast<std::size_t>(t[i])].y();
-        };
-        if (at(0) + at(1) + at(2) < 1.4) {
-            triangles.push_back(t);
-        }
-    }
-    REQUIRE(triangles.size() == closed.triangles().size() - 2);
-    const TriangleMesh open = *TriangleMesh::build(closed.vertices_B(), triangles);
-    const auto field = std::make_shared<const DistanceField>(
-        DistanceField::build(open, DistanceField::make_frame(open, 128, 5.0).value(),
-                             {.sheet_voxels = 2.0})
-            .value());
+    const TriangleMesh open =
+        test::take_away(closed, [](const Vector3& middle) { return middle.y() > 0.49; });
+    REQUIRE(open.triangles().size() == closed.triangles().size() - 2);
+    const auto field = make_field(open, 128, {.sheet_voxels = 2.0});
     const FieldSampler::Shell ball = make_shell(*make_sphere(0.1, 12), 4000);
     std::vector<FieldSampler> samplers;
-    for (const SamplingMode mode :
-         {SamplingMode::brute_force, SamplingMode::tree, SamplingMode::coherent}) {
+    for (const SamplingMode mode : kModes) {
         samplers.push_back(FieldSampler::build(field, ball, {.mode = mode}).value());
     }
     // Down through the missing lid, to the floor, to the side wall from within, out again, and to it from without.
@@ -329,15 +294,9 @@ TEST_CASE(
 }
 
 TEST_CASE("field sampling: what slides along a face or away from it is not looked at again") {
-    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    const FieldSampler::Field box = make_unit_box_field(64);
     const double voxel_m = box->frame().voxel_m;
-    Pointshell points;
-    constexpr int kSide = 64;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        points.add({0.6 * (i % kSide) / kSide - 0.3, 0.0, 0.6 * (i / kSide) / kSide - 0.3},
-                   Vector3::UnitY());
-    }
-    const auto plate = std::make_shared<const ShellTree>(ShellTree::build(points).value());
+    const auto plate = make_shell(test::make_point_rows(64, 0.6, [](int, int) { return 0.0; }));
     FieldSampler sampler = FieldSampler::build(box, plate, {}).value();
     const auto step = [&](double along_voxels, double above_voxels) {
         return sampler
@@ -359,16 +318,8 @@ TEST_CASE(
     "field sampling: in a socket of its own shape memory changes no contact, however it slides "
     "and turns") {
     // A ball with a bumpy hollow, and a bumpy ball a voxel smaller in it.
-    const TriangleMesh inner = *make_bumpy_sphere(1.0, 24, 0.05, 12.0);
-    std::vector<Vector3> vertices = make_sphere(1.2, 16)->vertices_B();
-    std::vector<TriangleCorners> triangles = make_sphere(1.2, 16)->triangles();
-    const auto first = static_cast<std::int32_t>(vertices.size());
-    vertices.insert(vertices.end(), inner.vertices_B().begin(), inner.vertices_B().end());
-    for (const TriangleCorners& t : inner.triangles()) {
-        triangles.push_back({first + t[0], first + t[2], first + t[1]});
-    }
-    const FieldSampler::Field socket =
-        make_field(*TriangleMesh::build(std::move(vertices), std::move(triangles)), 96);
+    const FieldSampler::Field socket = make_field(
+        *make_hollow(*make_sphere(1.2, 16), *make_bumpy_sphere(1.0, 24, 0.05, 12.0)), 96);
     const double voxel_m = socket->frame().voxel_m;
     const FieldSampler::Shell plug =
         make_shell(*make_bumpy_sphere(1.0 - voxel_m, 24, 0.05, 12.0), 20000);

@@ -1,8 +1,8 @@
 // A tool in a field that is swept (field_load.h): no wall of two voxels is passed, whoever moves, and what is slow is left alone.
 #include "haptics/dynamics/rigid_state.h"
-#include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/voxel_tool.h"
+#include "tests/support/field_parts.h"
 
 #include <catch2/catch.hpp>
 
@@ -19,26 +19,20 @@ constexpr double kWall_m = 4.0e-3;  // thick
 
 // A wall across y = 0, a voxel of it 0.8 mm.
 FieldSampler::Field wall() {
-    static const FieldSampler::Field kWall = [] {
-        const TriangleMesh mesh = make_box({0.05, kWall_m, 0.05}).value();
-        return std::make_shared<const DistanceField>(
-            DistanceField::build(mesh, DistanceField::make_frame(mesh, 64).value()).value());
-    }();
+    static const FieldSampler::Field kWall =
+        test::make_field(make_box({0.05, kWall_m, 0.05}).value(), 64);
     return kWall;
 }
 
 FieldTool make_tool(const TriangleMesh& mesh, bool swept, ToolMass mass = ToolMass::massive) {
-    static const auto kTree = [](const TriangleMesh& of) {
-        return std::make_shared<const ShellTree>(
-            ShellTree::build(make_surface_pointshell(of, 400).value()).value());
-    };
     VoxelToolSettings settings;
     settings.swept = swept;
     settings.mass = mass;
     settings.inertia = make_box_inertia(0.05, mesh.upper_B() - mesh.lower_B());
     settings.coupling.shift.stiffness_N_per_m = 500.0;
     settings.coupling.turn.stiffness_Nm_per_rad = 0.5;
-    return FieldTool::build({wall(), kTree(mesh), {.stiffness_N_per_m = 100.0}}, settings).value();
+    const FieldSamplingPlan plan{wall(), test::make_shell(mesh, 400), {.stiffness_N_per_m = 100.0}};
+    return FieldTool::build(plan, settings).value();
 }
 
 TriangleMesh small_ball() {
@@ -106,9 +100,8 @@ TEST_CASE(
     "field tool sweep: a turn stops where its tip is a voxel deep, with its share of the spin") {
     // 4 cm long and thin; its tip reaches the wall at sin(angle) 2 cm = 1.2 cm.
     const TriangleMesh bar = make_box({0.04, 2.0e-4, 2.0e-4}).value();
-    const auto tree = std::make_shared<const ShellTree>(
-        ShellTree::build(make_surface_pointshell(bar, 2000).value()).value());
-    const FieldSampling sampling = FieldSampling::build({wall(), tree, {}}).value();
+    const FieldSampling sampling =
+        FieldSampling::build({wall(), test::make_shell(bar, 2000), {}}).value();
     const double voxel_m = wall()->frame().voxel_m;
     const double over_m = 0.012;
     const MovingFrame object{Pose::at({0.3, 0.2, 0.1}), {{0.0, 1.0, 0.0}, {0.0, 2.0, 0.0}}};

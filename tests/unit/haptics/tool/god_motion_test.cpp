@@ -19,11 +19,23 @@ constexpr double kDt_s = 0.001;
 const Vector3 kCube_m(0.04, 0.04, 0.04);
 const MovingFrame kBlock{Pose::at({0.0, -0.02, 0.0}), {}};  // its top is y = 0
 
-GodMotion make_motion(GodChannels* channels, double friction = 0.0) {
-    std::vector<GodObjectPlan> plans{{GodSurface::create(make_box({0.2, 0.04, 0.2}).value()),
-                                      GodSurface::create(make_box(kCube_m).value())}};
-    plans.front().friction = {.static_coefficient = friction, .dynamic_coefficient = friction};
-    return GodMotion(plans, test::make_god_settings(make_box_inertia(0.02, kCube_m)), channels);
+const GodObjectSettings kSettings = test::make_god_settings(make_box_inertia(0.02, kCube_m));
+const double kGap_m = kSettings.gap_m;
+
+GodObjectPlan make_block_plan(const TriangleMesh& tool = make_box(kCube_m).value()) {
+    return {GodSurface::create(make_box({0.2, 0.04, 0.2}).value()), GodSurface::create(tool)};
+}
+
+GodMotion make_motion(GodChannels* channels = nullptr, double friction = 0.0) {
+    GodObjectPlan plan = make_block_plan();
+    plan.friction = {.static_coefficient = friction, .dynamic_coefficient = friction};
+    return GodMotion({plan}, kSettings, channels);
+}
+
+std::unique_ptr<GodContactSet> tell(const GodMotion& motion) {
+    auto set = std::make_unique<GodContactSet>();
+    motion.tell(*set);
+    return set;
 }
 
 Pose at_height(double height_m) {
@@ -33,20 +45,17 @@ Pose at_height(double height_m) {
 }  // namespace
 
 TEST_CASE("god motion: what it tells of a cube on a block are its four corners, at rest there") {
-    const double gap_m = GodObjectSettings{}.gap_m;
     GodMotion motion = make_motion(nullptr, 0.3);
-    const auto set = std::make_unique<GodContactSet>();
     motion.place(at_height(0.01));
-    motion.tell(*set);
-    CHECK(set->n == 0);
-    CHECK_FALSE(set->is_near);
+    CHECK(tell(motion)->n == 0);
+    CHECK_FALSE(tell(motion)->is_near);
     for (int i = 0; i < 60; ++i) {
         REQUIRE(motion.move(at_height(-0.002), {&kBlock, 1}, false));
     }
-    motion.tell(*set);
+    const auto set = tell(motion);
     CHECK(set->n_objects == 1);
     CHECK(set->objects[0].object_W.position == kBlock.pose_W.position);
-    CHECK(set->tool_W.position.y() - 0.5 * kCube_m.y() == Approx(gap_m).epsilon(0.05));
+    CHECK(set->tool_W.position.y() - 0.5 * kCube_m.y() == Approx(kGap_m).epsilon(0.05));
     CHECK(set->is_near);
     CHECK(set->step.settled);
     CHECK(set->step.contacts == set->n);
@@ -58,41 +67,40 @@ TEST_CASE("god motion: what it tells of a cube on a block are its four corners, 
         CHECK(press.arm_W.y() < 0.0);
         // On top of the block, below the corner.
         const Vector3 on_object_W = set->objects[0].object_W * press.on_object_O;
-        CHECK((on_object_W - (set->tool_W.position + press.arm_W)).norm() < 2.0 * gap_m);
+        CHECK((on_object_W - (set->tool_W.position + press.arm_W)).norm() < 2.0 * kGap_m);
         CHECK(press.least_m <= 0.0);
-        CHECK(press.least_m > -0.1 * gap_m);
+        CHECK(press.least_m > -0.1 * kGap_m);
         CHECK(press.share > 0.9);
         CHECK(press.friction == 0.3);
     }
     // Over it, by what it was before the step and is after it.
     CHECK((set->objects[0].to_OT.position.y() - 0.5 * kCube_m.y() - 0.02) ==
-          Approx(gap_m).epsilon(0.05));
+          Approx(kGap_m).epsilon(0.05));
 }
 
 TEST_CASE(
     "god motion: between a floor and a ceiling two gaps wider than the tool nothing holds it along "
     "them, and they push no more than they must") {
     constexpr double kSide_m = 0.04;
-    const double gap_m = GodObjectSettings{}.gap_m;
     // Plates that lie askew a few metres from their origins: so far do their normals' differences round.
     const Quaternion turn(compute_exp({0.3, -0.7, 0.4}));
     const auto make_plate_at = [&](double y) {
-        std::vector<Vector3> vertices = make_box({0.5, 0.1, 0.4}).value().vertices_B();
+        const TriangleMesh plate = make_box({0.5, 0.1, 0.4}).value();
+        std::vector<Vector3> vertices = plate.vertices_B();
         for (Vector3& v : vertices) {
             v = turn * (v + Vector3(3.1, y, -2.7));
         }
-        return TriangleMesh::build(std::move(vertices), make_box({1, 1, 1}).value().triangles())
-            .value();
+        return TriangleMesh::build(std::move(vertices), plate.triangles()).value();
     };
     const auto at = [&](double x, double y, double z, const Vector3& turned = Vector3::Zero()) {
         return Pose{turn * Vector3(3.1 + x, y, -2.7 + z), turn * compute_exp(turned)};
     };
-    test::GodScene scene(
-        make_box(Vector3::Constant(kSide_m)).value(), {make_plate_at(-0.05), make_plate_at(0.05)},
-        test::make_sudden_settings(make_box_inertia(0.05, Vector3::Constant(kSide_m))));
-    const double rest_m = 0.5 * kSide_m + gap_m;
+    test::GodScene scene(test::make_cube(kSide_m), {make_plate_at(-0.05), make_plate_at(0.05)},
+                         test::make_sudden_settings(make_box_inertia(0.05, kCube_m)));
+    const double rest_m = 0.5 * kSide_m + kGap_m;
     const auto lower_ceiling = [&](double room_m) {
-        scene.frames[1].pose_W = Pose::at(turn * Vector3(0.0, kSide_m + 2.0 * gap_m + room_m, 0.0));
+        scene.frames[1].pose_W =
+            Pose::at(turn * Vector3(0.0, kSide_m + 2.0 * kGap_m + room_m, 0.0));
     };
     lower_ceiling(1.0e-3);
     scene.god.place(at(0.0, rest_m + 5.0e-4, 0.0));
@@ -127,28 +135,24 @@ TEST_CASE(
 }
 
 TEST_CASE("god motion: near is what is within sixteen gaps, told where that is asked") {
-    const double gap_m = GodObjectSettings{}.gap_m;
-    const auto set = std::make_unique<GodContactSet>();
-    const auto is_near = [&](double height_m, bool asks) {
-        GodMotion motion = make_motion(nullptr);
+    const auto is_near = [](double height_m, bool asks) {
+        GodMotion motion = make_motion();
         motion.place(at_height(height_m));
         REQUIRE(motion.move(at_height(height_m), {&kBlock, 1}, asks));
-        motion.tell(*set);
-        CHECK(set->n == 0);
-        return set->is_near;
+        CHECK(tell(motion)->n == 0);
+        return tell(motion)->is_near;
     };
-    CHECK(is_near(10.0 * gap_m, true));
-    CHECK_FALSE(is_near(10.0 * gap_m, false));
-    CHECK_FALSE(is_near(30.0 * gap_m, true));
+    CHECK(is_near(10.0 * kGap_m, true));
+    CHECK_FALSE(is_near(10.0 * kGap_m, false));
+    CHECK_FALSE(is_near(30.0 * kGap_m, true));
 }
 
 TEST_CASE("god motion: by goals it goes as by steps, to the bit, and its answers name them") {
     GodChannels channels;
     GodMotion beside = make_motion(&channels);
-    GodMotion in_line = make_motion(nullptr);
+    GodMotion in_line = make_motion();
     CHECK_FALSE(in_line.run_once());
     CHECK_FALSE(beside.run_once());
-    const auto expected = std::make_unique<GodContactSet>();
     GodGoal goal;
     goal.n_objects = 1;
     goal.objects[0] = kBlock;
@@ -167,7 +171,7 @@ TEST_CASE("god motion: by goals it goes as by steps, to the bit, and its answers
             CHECK(set.n_placements == placement);
             CHECK(set.is_apart);
             REQUIRE(in_line.move(goal.held_W, {&kBlock, 1}, true));
-            in_line.tell(*expected);
+            const auto expected = tell(in_line);
             REQUIRE(set.tool_W.position == expected->tool_W.position);
             REQUIRE(set.n == expected->n);
             REQUIRE(set.is_near == expected->is_near);
@@ -188,33 +192,21 @@ TEST_CASE("god motion: by goals it goes as by steps, to the bit, and its answers
 TEST_CASE(
     "god motion: where more press than there is room for, all objects are told of where they are") {
     // A bed of 625 nails of four corners each.
-    const TriangleMesh nail = make_box({0.002, 0.002, 0.002}).value();
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
+    std::vector<PlacedBox> nails;
     for (int i = 0; i < 625; ++i) {
-        const auto first = static_cast<std::int32_t>(vertices.size());
-        for (const Vector3& v : nail.vertices_B()) {
-            vertices.push_back(v + 0.004 * Vector3(i % 25 - 12, 0.0, i / 25 - 12));
-        }
-        for (const TriangleCorners& t : nail.triangles()) {
-            triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        }
+        nails.push_back({0.004 * Vector3(i % 25 - 12, 0.0, i / 25 - 12), Vector3::Constant(0.002)});
     }
-    const auto bed =
-        GodSurface::create(TriangleMesh::build(std::move(vertices), std::move(triangles)).value());
-    const auto block = GodSurface::create(make_box({0.2, 0.04, 0.2}).value());
-    const std::vector<GodObjectPlan> plans{{block, bed}, {block, bed}};
+    const GodObjectPlan plan = make_block_plan(make_boxes(nails).value());
     GodObjectSettings settings = test::make_god_settings(make_box_inertia(0.02, {0.1, 0.01, 0.1}));
     settings.most_contacts = 4096;
-    GodMotion motion(plans, settings, nullptr);
+    GodMotion motion({plan, plan}, settings, nullptr);
     const std::vector<MovingFrame> objects{kBlock, {Pose::at({1.0, 2.0, 3.0}), {}}};
     const auto at = [](double height_m) { return Pose::at({0.0, 0.001 + height_m, 0.0}); };
     motion.place(at(1.0e-4));
     for (int i = 0; i < 30; ++i) {
         REQUIRE(motion.move(at(-1.0e-4), objects, false));
     }
-    const auto set = std::make_unique<GodContactSet>();
-    motion.tell(*set);
+    const auto set = tell(motion);
     REQUIRE(static_cast<std::size_t>(set->n) == kMostPresses);
     CHECK(set->step.too_many);
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -225,9 +217,8 @@ TEST_CASE(
 TEST_CASE(
     "god motion: of a cube that leans by less than a gap the corners press that nothing is lower "
     "than") {
-    const double gap_m = GodObjectSettings{}.gap_m;
-    GodMotion motion = make_motion(nullptr);
-    const double lean_rad = 0.8 * gap_m / kCube_m.x();
+    GodMotion motion = make_motion();
+    const double lean_rad = 0.8 * kGap_m / kCube_m.x();
     const auto at = [&](double lowest_m) {
         Pose pose = at_height(lowest_m + 0.5 * kCube_m.x() * lean_rad);
         pose.orientation = compute_exp(Vector3(0.0, 0.0, lean_rad));
@@ -235,10 +226,9 @@ TEST_CASE(
     };
     motion.place(at(1.0e-4));
     for (int i = 0; i < 80; ++i) {
-        REQUIRE(motion.move(at(1.1 * gap_m), {&kBlock, 1}, false));
+        REQUIRE(motion.move(at(1.1 * kGap_m), {&kBlock, 1}, false));
     }
-    const auto set = std::make_unique<GodContactSet>();
-    motion.tell(*set);
+    const auto set = tell(motion);
     REQUIRE(set->n == 2);
     for (const GodPress& press : set->all()) {
         CHECK(press.arm_W.x() < 0.0);
@@ -247,18 +237,14 @@ TEST_CASE(
 }
 
 TEST_CASE("god motion: what stopped nearer than a gap is not told to push the tool away") {
-    const double gap_m = GodObjectSettings{}.gap_m;
-    GodObjectSettings settings = test::make_god_settings(make_box_inertia(0.02, kCube_m));
+    GodObjectSettings settings = kSettings;
     settings.most_rounds = 1;
-    GodMotion motion({{GodSurface::create(make_box({0.2, 0.04, 0.2}).value()),
-                       GodSurface::create(make_box(kCube_m).value())}},
-                     settings, nullptr);
+    GodMotion motion({make_block_plan()}, settings, nullptr);
     motion.place(at_height(0.01));
     REQUIRE(motion.move(at_height(-0.05), {&kBlock, 1}, false));
-    const auto set = std::make_unique<GodContactSet>();
-    motion.tell(*set);
+    const auto set = tell(motion);
     REQUIRE(set->n == 4);
-    CHECK(set->step.least_gap_m < 0.6 * gap_m);
+    CHECK(set->step.least_gap_m < 0.6 * kGap_m);
     for (const GodPress& press : set->all()) {
         CHECK(press.least_m == 0.0);
     }
@@ -267,30 +253,23 @@ TEST_CASE("god motion: what stopped nearer than a gap is not told to push the to
 TEST_CASE(
     "god motion: between walls that leave it less than a gap on either side it goes along them all "
     "the same") {
-    const double gap_m = GodObjectSettings{}.gap_m;
-    const auto block = GodSurface::create(make_box({0.2, 0.04, 0.2}).value());
-    const auto cube = GodSurface::create(make_box(kCube_m).value());
-    GodMotion motion({{block, cube}, {block, cube}},
-                     test::make_god_settings(make_box_inertia(0.02, kCube_m)), nullptr);
+    GodMotion motion({make_block_plan(), make_block_plan()}, kSettings, nullptr);
     const auto between = [&](double room_m) {
         return std::vector<MovingFrame>{kBlock,
                                         {Pose::at({0.0, kCube_m.y() + room_m + 0.02, 0.0}), {}}};
     };
-    Pose held = at_height(5.0 * gap_m);
+    Pose held = at_height(5.0 * kGap_m);
     motion.place(held);
     for (int i = 0; i < 100; ++i) {
-        const double room_m = std::max(10.0 - 0.2 * i, 1.2) * gap_m;
+        const double room_m = std::max(10.0 - 0.2 * i, 1.2) * kGap_m;
         held = at_height(0.5 * room_m);
         REQUIRE(motion.move(held, between(room_m), false));
     }
-    const auto set = std::make_unique<GodContactSet>();
-    motion.tell(*set);
-    REQUIRE_FALSE(set->step.wedged);
-    REQUIRE(set->step.least_gap_m < gap_m);
+    REQUIRE_FALSE(tell(motion)->step.wedged);
+    REQUIRE(tell(motion)->step.least_gap_m < kGap_m);
     held.position.x() += 0.001;
     for (int i = 0; i < 30; ++i) {
-        REQUIRE(motion.move(held, between(1.2 * gap_m), false));
+        REQUIRE(motion.move(held, between(1.2 * kGap_m), false));
     }
-    motion.tell(*set);
-    CHECK(set->tool_W.position.x() == Approx(held.position.x()).margin(1.0e-6));
+    CHECK(tell(motion)->tool_W.position.x() == Approx(held.position.x()).margin(1.0e-6));
 }

@@ -19,13 +19,11 @@ const MovingFrame kFloor{Pose::at({0.0, -0.05, 0.0}), {}};  // its top is y = 0
 
 // A block on grooves along z; so heavy to turn that it stays as it is held.
 GodObjectTool make_block_on_grooves(bool own_motion) {
-    GodObjectPlan plan{
-        .object = GodSurface::create(make_box({0.6, 0.1, 0.6}).value()),
-        .tool = GodSurface::create(make_box(Vector3::Constant(2.0 * kHalf_m)).value())};
+    GodObjectPlan plan{.object = GodSurface::create(make_box({0.6, 0.1, 0.6}).value()),
+                       .tool = GodSurface::create(test::make_cube(2.0 * kHalf_m))};
     plan.texture = std::make_shared<const Texture>(
         TextureSettings{SineTexture{0.0043, 0.0}, TextureLaw::lateral, 2.0e-4, 1.0});
-    GodObjectSettings settings =
-        test::make_sudden_settings({.mass_kg = 0.05, .moments_kg_m2 = Vector3::Constant(0.05)});
+    GodObjectSettings settings = test::make_sudden_settings(test::make_still_inertia());
     settings.own_motion = own_motion;
     return GodObjectTool::build({plan}, settings).value();
 }

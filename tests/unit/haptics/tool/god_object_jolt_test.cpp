@@ -23,7 +23,7 @@ TEST_CASE(
     "god-object jolts: whatever contacts come and go, the force of one handle changes by what "
     "fades in a step, and not by more; where nothing is near there is none") {
     const double mu = GENERATE(0.0, 0.5);
-    const TriangleMesh cube = make_box(Vector3::Constant(0.04)).value();
+    const TriangleMesh cube = test::make_cube(0.04);
     const TriangleMesh block = make_box({0.06, 0.05, 0.07}).value();
     GodObjectSettings settings =
         test::make_god_settings(make_box_inertia(0.05, Vector3::Constant(0.04)));
@@ -85,7 +85,7 @@ constexpr int kBlended = 1200;    // steps in which any set of contacts is blend
 const Inertia kCube = make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m));
 
 test::GodScene make_scene(const Vector3& block_m) {
-    return {make_box(Vector3::Constant(2.0 * kHalf_m)).value(),
+    return {test::make_cube(2.0 * kHalf_m),
             {make_box(block_m).value()},
             test::make_god_settings(kCube)};
 }

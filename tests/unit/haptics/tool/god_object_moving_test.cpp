@@ -20,14 +20,10 @@ using Scene = test::GodScene;
 const GodObjectSettings kSettings =
     test::make_sudden_settings(make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m)));
 
-TriangleMesh make_cube() {
-    return make_box(Vector3::Constant(2.0 * kHalf_m)).value();
-}
-
 TEST_CASE(
     "god-object tool: an object that moves into a standing tool pushes it before itself, and the "
     "hand feels how far") {
-    Scene scene(make_cube(), {make_box({0.1, 0.1, 0.1}).value()}, kSettings);
+    Scene scene(test::make_cube(2.0 * kHalf_m), {make_box({0.1, 0.1, 0.1}).value()}, kSettings);
     const Pose handle = Pose::at({0.0, 0.05 + kHalf_m + 0.001, 0.0});
     scene.god.place(handle);
     for (int i = 0; i < 200; ++i) {
@@ -44,7 +40,7 @@ TEST_CASE(
 
 TEST_CASE("god-object tool: objects that turn and fly about by chance never get into it") {
     Scene scene(
-        make_cube(),
+        test::make_cube(2.0 * kHalf_m),
         {make_box({0.05, 0.02, 0.08}).value(), make_bumpy_sphere(0.03, 3, 0.2, 90.0).value()},
         kSettings);
     Random random(11);
@@ -89,7 +85,7 @@ TEST_CASE(
     "god-object tool: between two objects that close upon it it is wedged, which is told; when "
     "they open they are where they are said to be") {
     const TriangleMesh jaw = make_box({0.1, 0.1, 0.1}).value();
-    Scene scene(make_cube(), {jaw, jaw}, kSettings);
+    Scene scene(test::make_cube(2.0 * kHalf_m), {jaw, jaw}, kSettings);
     const double apart_m = kHalf_m + 0.05;
     bool was_wedged = false;
     scene.frames[0].pose_W = Pose::at({-apart_m - 0.002, 0.0, 0.0});

@@ -13,6 +13,8 @@ namespace fulcrum {
 namespace {
 
 using test::kGodDt_s;
+using test::make_ground;
+using test::move_to;
 
 constexpr double kGap_m = 1.0e-6;
 constexpr double kStiffness = 500.0;
@@ -23,57 +25,16 @@ constexpr int kBlended = 1200;    // steps in which any set of contacts is blend
 const Inertia kCube = make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m));
 
 TriangleMesh make_cube() {
-    return make_box(Vector3::Constant(2.0 * kHalf_m)).value();
+    return test::make_cube(2.0 * kHalf_m);
 }
 
-// Its upper face at y = 0.
-TriangleMesh make_floor() {
-    TriangleMesh floor = make_box({0.5, 0.1, 0.5}).value();
-    return TriangleMesh::build(
-               [&] {
-                   std::vector<Vector3> moved = floor.vertices_B();
-                   for (Vector3& v : moved) {
-                       v.y() -= 0.05;
-                   }
-                   return moved;
-               }(),
-               floor.triangles())
-        .value();
-}
-
-// A sheet of n x n squares in y = 0.
-TriangleMesh make_sheet(int n, double side_m) {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
-    for (int i = 0; i <= n; ++i) {
-        for (int j = 0; j <= n; ++j) {
-            vertices.emplace_back(side_m * (static_cast<double>(i) / n - 0.5), 0.0,
-                                  side_m * (static_cast<double>(j) / n - 0.5));
-        }
-    }
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-            const int a = i * (n + 1) + j;
-            triangles.push_back({a, a + 1, a + n + 2});
-            triangles.push_back({a, a + n + 2, a + n + 1});
-        }
-    }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
-}
-
-ToolFelt move_to(GodObjectTool& tool, const Pose& handle_W, int n_steps = 1,
-                 const Pose& object_W = {}) {
-    ToolFelt felt;
-    const MovingFrame object{object_W, {}};
-    for (int i = 0; i < n_steps; ++i) {
-        felt = tool.move({handle_W, {}}, {&object, 1}, 0.0, kGodDt_s);
-    }
-    return felt;
+GodObjectTool make_tool(const TriangleMesh& object,
+                        const GodObjectSettings& settings = test::make_god_settings(kCube)) {
+    return test::make_god_tool(make_cube(), {object}, settings);
 }
 
 TEST_CASE("god-object tool: in free space it follows the handle, and nothing is felt") {
-    GodObjectTool tool =
-        test::make_god_tool(make_cube(), {make_floor()}, test::make_god_settings(kCube));
+    GodObjectTool tool = make_tool(make_ground());
     Random random(1);
     Pose handle = Pose::at({0.0, 0.1, 0.0});
     tool.place(handle);
@@ -96,9 +57,9 @@ TEST_CASE(
     "god-object tool: a cube pressed flat onto a floor feels stiffness times depth, dragged "
     "along it too") {
     const bool fine = GENERATE(false, true);
-    const TriangleMesh floor = fine ? make_sheet(24, 0.3) : make_floor();
+    const TriangleMesh floor = fine ? make_plate(0.3, 0.3, 24).value() : make_ground();
     const TriangleMesh cube = make_cube();
-    GodObjectTool tool = test::make_god_tool(cube, {floor}, test::make_god_settings(kCube));
+    GodObjectTool tool = make_tool(floor);
     tool.place(Pose::at({0.0, 0.05, 0.0}));
     const double rest_m = kHalf_m + kGap_m;
     (void)move_to(tool, Pose::at({0.0, rest_m - 0.003, 0.0}), kBlended);
@@ -125,8 +86,7 @@ TEST_CASE(
 }
 
 TEST_CASE("god-object tool: pressed while it is turned, it feels the turn by its inertia") {
-    GodObjectTool tool =
-        test::make_god_tool(make_cube(), {make_floor()}, test::make_god_settings(kCube));
+    GodObjectTool tool = make_tool(make_ground());
     const double rest_m = kHalf_m + kGap_m;
     tool.place(Pose::at({0.0, rest_m + 0.001, 0.0}));
     constexpr double kTurn_rad = 0.05;
@@ -141,31 +101,14 @@ TEST_CASE("god-object tool: pressed while it is turned, it feels the turn by its
     CHECK(felt.felt_W.torque.norm() > 0.9 * turn_stiffness * kTurn_rad);
 }
 
-// Blocks beside each other, as one object; a floor whose top is at y = 0 among them.
-TriangleMesh make_blocks(const std::vector<std::pair<Vector3, Vector3>>& middles_and_sizes) {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
-    for (const auto& [middle, size] : middles_and_sizes) {
-        const TriangleMesh box = make_box(size).value();
-        const auto first = static_cast<std::int32_t>(vertices.size());
-        for (const Vector3& v : box.vertices_B()) {
-            vertices.push_back(middle + v);
-        }
-        for (const TriangleCorners& t : box.triangles()) {
-            triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        }
-    }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
-}
-
 TEST_CASE(
     "god-object tool: along a hollow corner both walls are felt by their depth, and nothing "
     "along it") {
-    const TriangleMesh corner =
-        make_blocks({{{0.0, -0.05, 0.0}, {0.5, 0.1, 0.5}},
-                     {{-0.1, 0.1, 0.0}, {0.1, 0.3, 0.5}}});  // wall: x = -0.05
+    const std::array<PlacedBox, 2> boxes{{{{0.0, -0.05, 0.0}, {0.5, 0.1, 0.5}},
+                                          {{-0.1, 0.1, 0.0}, {0.1, 0.3, 0.5}}}};  // wall: x = -0.05
+    const TriangleMesh corner = make_boxes(boxes).value();
     const TriangleMesh cube = make_cube();
-    GodObjectTool tool = test::make_god_tool(cube, {corner}, test::make_god_settings(kCube));
+    GodObjectTool tool = make_tool(corner);
     const Vector3 rest(-0.05 + kHalf_m + kGap_m, kHalf_m + kGap_m, 0.0);
     tool.place(Pose::at(rest + Vector3(0.01, 0.01, 0.0)));
     (void)move_to(tool, Pose::at(rest - Vector3(0.002, 0.002, 0.0)), kBlended);
@@ -190,10 +133,11 @@ TEST_CASE(
     "feels what turns it and lifts it nothing of the walls") {
     constexpr double kPlay_m = 1.0e-5;
     const double wall_m = kHalf_m + 0.5 * kPlay_m;
-    const TriangleMesh slot = make_blocks({{{-wall_m - 0.05, 0.0, 0.0}, {0.1, 0.2, 0.5}},
-                                           {{wall_m + 0.05, 0.0, 0.0}, {0.1, 0.2, 0.5}}});
+    const std::array<PlacedBox, 2> walls{{{{-wall_m - 0.05, 0.0, 0.0}, {0.1, 0.2, 0.5}},
+                                          {{wall_m + 0.05, 0.0, 0.0}, {0.1, 0.2, 0.5}}}};
+    const TriangleMesh slot = make_boxes(walls).value();
     const TriangleMesh cube = make_cube();
-    GodObjectTool tool = test::make_god_tool(cube, {slot}, test::make_god_settings(kCube));
+    GodObjectTool tool = make_tool(slot);
     tool.place(Pose::at({0.0, 0.2, 0.0}));
     // In from above: half the play less the gap is how far it may go to either side.
     const double side_m = 0.5 * kPlay_m - kGap_m;
@@ -238,40 +182,15 @@ TEST_CASE(
     CHECK(turned.felt_W.force.norm() < 1.0e-3);
 }
 
-TEST_CASE("god-object tool: no motion by chance brings it into a block, whatever its speed") {
-    const TriangleMesh cube = make_cube();
-    const TriangleMesh block = make_box({0.06, 0.05, 0.07}).value();
-    GodObjectTool tool = test::make_god_tool(cube, {block}, test::make_god_settings(kCube));
-    const Pose object_W{Vector3(0.01, 0.0, 0.0), compute_exp(Vector3(0.3, 0.2, 0.1))};
-    Random random(3);
-    Pose handle = Pose::at({0.0, 0.09, 0.0});
-    tool.place(handle);
-    int n_touching = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const double speed = i % 500 < 100 ? 0.05 : 0.002;
-        handle.position = 0.99 * handle.position + speed * random.in_cube();
-        handle.orientation = compute_exp(20.0 * speed * random.in_cube()) * handle.orientation;
-        handle.orientation.normalize();
-        const ToolFelt felt = move_to(tool, handle, 1, object_W);
-        REQUIRE(felt.moved);
-        n_touching += tool.touches()[0].touches ? 1 : 0;
-        CAPTURE(i, tool.last_step().rounds, tool.last_step().contacts,
-                tool.last_step().least_gap_m);
-        REQUIRE_FALSE(test::do_enter(block, object_W, cube, tool.pose_W()));
-        REQUIRE(tool.last_step().least_gap_m > kGap_m / 300.0);
-    }
-    CHECK(n_touching > 500);
-}
-
 TEST_CASE(
     "god-object tool: out of time it makes one round a step, enters nothing, and comes to the same "
     "rest") {
     const TriangleMesh cube = make_cube();
-    const TriangleMesh floor = make_floor();
+    const TriangleMesh floor = make_ground();
     GodObjectSettings hurried = test::make_god_settings(kCube);
     hurried.budget_us = 1.0;
-    GodObjectTool slow = test::make_god_tool(cube, {floor}, test::make_god_settings(kCube));
-    GodObjectTool fast = test::make_god_tool(cube, {floor}, hurried);
+    GodObjectTool slow = make_tool(floor);
+    GodObjectTool fast = make_tool(floor, hurried);
     Random random(4);
     Pose handle;
     int n_cut = 0;
@@ -298,8 +217,7 @@ TEST_CASE(
 }
 
 TEST_CASE("god-object tool: a handle that is no number leaves it standing, with nothing felt") {
-    GodObjectTool tool =
-        test::make_god_tool(make_cube(), {make_floor()}, test::make_god_settings(kCube));
+    GodObjectTool tool = make_tool(make_ground());
     tool.place(Pose::at({0.0, 0.03, 0.0}));
     (void)move_to(tool, Pose::at({0.0, 0.01, 0.0}), kBlended);
     const Pose before = tool.pose_W();
@@ -317,11 +235,11 @@ TEST_CASE("god-object tool: a handle that is no number leaves it standing, with 
 TEST_CASE(
     "god-object tool: as far out as places are, with the least gap, nothing crosses; beyond, "
     "nothing moves") {
-    const TriangleMesh floor = make_floor();
+    const TriangleMesh floor = make_ground();
     const TriangleMesh cube = make_cube();
     GodObjectSettings settings = test::make_god_settings(kCube);
     settings.gap_m = GENERATE(1.0e-8, 1.0e-6);
-    GodObjectTool tool = test::make_god_tool(cube, {floor}, settings);
+    GodObjectTool tool = make_tool(floor, settings);
     // Whatever its turn, the tool stays within the last place.
     constexpr double kFarthest_m = 2.0e4;
     const Vector3 origin = Vector3::Constant(kFarthest_m - 1.0);
@@ -351,8 +269,7 @@ TEST_CASE(
 }
 
 TEST_CASE("god-object tool: it is free beside a block, not on it, in it or around it") {
-    GodObjectTool tool = test::make_god_tool(make_cube(), {make_box({0.1, 0.1, 0.1}).value()},
-                                             test::make_god_settings(kCube));
+    GodObjectTool tool = make_tool(test::make_cube(0.1));
     const MovingFrame object{};
     const auto is_free = [&](const Vector3& at) {
         tool.place(Pose::at(at));

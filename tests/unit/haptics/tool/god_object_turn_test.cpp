@@ -1,6 +1,7 @@
 // A god-object's tool that is long and thin: contacts near its axis may make it turn by more than half a turn in a round, and its inertia is another
 // along each axis.
 #include "haptics/math/rotation.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/god_scene.h"
 #include "tests/support/wander.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace fulcrum {
 namespace {
@@ -97,16 +97,7 @@ TEST_CASE("god-object tool: a bar held at one end answers with its inertia where
 TEST_CASE("god-object tool: a part of it that is wholly inside is not free") {
     // A ball, and far from it another.
     const TriangleMesh ball = make_sphere(0.01, 12).value();
-    std::vector<Vector3> corners = ball.vertices_B();
-    std::vector<TriangleCorners> triangles = ball.triangles();
-    const auto n = static_cast<std::int32_t>(corners.size());
-    std::ranges::transform(ball.vertices_B(), std::back_inserter(corners),
-                           [](const Vector3& p) -> Vector3 { return p + Vector3(0.3, 0.0, 0.0); });
-    std::ranges::transform(ball.triangles(), std::back_inserter(triangles),
-                           [n](const TriangleCorners& t) -> TriangleCorners {
-                               return {t[0] + n, t[1] + n, t[2] + n};
-                           });
-    const TriangleMesh two = TriangleMesh::build(corners, triangles).value();
+    const TriangleMesh two = test::join_meshes({ball, test::shift(ball, {0.3, 0.0, 0.0})});
     CHECK(GodSurface::create(two)->parts().size() == 2);
     test::GodScene scene(two, {make_box(Vector3::Constant(0.1)).value()},
                          test::make_god_settings(make_box_inertia(0.05, {0.3, 0.02, 0.02})));

@@ -13,6 +13,7 @@ namespace fulcrum {
 namespace {
 
 using test::kGodDt_s;
+using test::move_to;
 
 constexpr double kStiffness = 500.0;
 constexpr double kGap_m = 1.0e-6;
@@ -21,77 +22,24 @@ constexpr double kHeight_m = 2.0e-4;
 constexpr double kPi = std::numbers::pi;
 // A wave of 32 samples and its spline, over the wave's own slope; likewise over its height.
 constexpr double kOfSpline = 2.0e-3;
-const MovingFrame kHeld{};
-
-// So heavy to turn that it stays as it is held.
-Inertia make_still_inertia() {
-    return {.mass_kg = 0.05, .moments_kg_m2 = Vector3::Constant(0.05)};
-}
-
 TextureSettings make_grooves(TextureLaw law, double gain = 1.0, double height_m = kHeight_m,
                              double wave_m = kWave_m) {
     return {SineTexture{wave_m, 0.0}, law, height_m, gain};
 }
 
-// Its upper face at y = 0, of 2 n^2 triangles there; where n is 0 two.
-TriangleMesh make_floor(int n = 0) {
-    if (n == 0) {
-        const TriangleMesh box = make_box({0.6, 0.1, 0.6}).value();
-        std::vector<Vector3> vertices = box.vertices_B();
-        for (Vector3& v : vertices) {
-            v.y() -= 0.05;
-        }
-        return TriangleMesh::build(std::move(vertices), box.triangles()).value();
-    }
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
-    for (int i = 0; i <= n; ++i) {
-        for (int j = 0; j <= n; ++j) {
-            vertices.emplace_back(0.4 * (static_cast<double>(i) / n - 0.5), 0.0,
-                                  0.4 * (static_cast<double>(j) / n - 0.5));
-        }
-    }
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-            const int a = i * (n + 1) + j;
-            triangles.push_back({a, a + 1, a + n + 2});
-            triangles.push_back({a, a + n + 2, a + n + 1});
-        }
-    }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
-}
-
 // Tiles with their faces at y = 0, and gaps between them.
 TriangleMesh make_tiles(double pitch_m, double side_m) {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
-    const TriangleMesh tile = make_box({side_m, 0.01, side_m}).value();
+    std::vector<PlacedBox> tiles;
     for (int i = -6; i <= 6; ++i) {
         for (int j = -6; j <= 6; ++j) {
-            const auto first = static_cast<std::int32_t>(vertices.size());
-            for (const Vector3& v : tile.vertices_B()) {
-                vertices.push_back(v + Vector3(pitch_m * i, -0.005, pitch_m * j));
-            }
-            for (const TriangleCorners& t : tile.triangles()) {
-                triangles.push_back({first + t[0], first + t[1], first + t[2]});
-            }
+            tiles.push_back({{pitch_m * i, -0.005, pitch_m * j}, {side_m, 0.01, side_m}});
         }
     }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
-}
-
-// Its tip at the origin, pointing down.
-TriangleMesh make_tip() {
-    return TriangleMesh::build({{0.0, 0.0, 0.0},
-                                {0.004, 0.02, 0.0},
-                                {-0.002, 0.02, 0.0035},
-                                {-0.002, 0.02, -0.0035}},
-                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
-        .value();
+    return make_boxes(tiles).value();
 }
 
 struct Ground {
-    TriangleMesh floor = make_floor();
+    TriangleMesh floor = test::make_ground(0.6);
     FrictionSettings friction{};
 };
 
@@ -106,19 +54,11 @@ GodObjectTool make_tool(const TriangleMesh& tool, const TextureSettings* texture
         REQUIRE(validate(*texture));
         plan.texture = std::make_shared<const Texture>(*texture);
     }
-    GodObjectSettings settings = test::make_god_settings(make_still_inertia());
+    GodObjectSettings settings = test::make_god_settings(test::make_still_inertia());
     settings.fade_s = fade_s;
     settings.coupling.clamp_m = kMost_N / settings.coupling.shift.stiffness_N_per_m;
     settings.coupling.clamp_rad = 0.5;
     return GodObjectTool::build({plan}, settings).value();
-}
-
-ToolFelt move_to(GodObjectTool& tool, const Pose& handle_W, int n_steps = 1) {
-    ToolFelt felt;
-    for (int i = 0; i < n_steps; ++i) {
-        felt = tool.move({handle_W, {}}, {&kHeld, 1}, 0.0, kGodDt_s);
-    }
-    return felt;
 }
 
 // Put down there and left to come to rest.
@@ -139,7 +79,7 @@ TEST_CASE("god texture: a tip drawn over grooves feels each law in closed form")
         GENERATE(TextureLaw::perturbed_normal, TextureLaw::lateral, TextureLaw::height_offset);
     const double depth_m = GENERATE(0.002, 0.00015);
     const TextureSettings grooves = make_grooves(law);
-    GodObjectTool tool = make_tool(make_tip(), &grooves);
+    GodObjectTool tool = make_tool(test::make_spike(), &grooves);
     const double z = 0.1;
     (void)press_at(tool, {0.01, kGap_m - depth_m, z});
     for (int i = 0; i < 800; ++i) {
@@ -230,7 +170,7 @@ TEST_CASE(
             ImageTexture{std::make_shared<const HeightMap>(std::move(map)), 0.01, 0.01};
     }
     const TriangleMesh block = make_box({0.02, 0.02, 0.02}).value();
-    const Ground ground{make_floor(12), friction};
+    const Ground ground{make_plate(0.4, 0.4, 12).value(), friction};
     GodObjectTool rough = make_tool(block, &texture, 0.03, ground);
     GodObjectTool plain = make_tool(block, nullptr, 0.03, ground);
     rough.place(Pose::at({0.0, 0.03, 0.0}));
@@ -334,7 +274,7 @@ TEST_CASE(
 TEST_CASE(
     "god texture: a relief as steep as settings allow is felt with what may be felt at most") {
     const TextureSettings grooves = make_grooves(TextureLaw::lateral, 100.0, 0.01, 1.0e-4);
-    GodObjectTool tool = make_tool(make_tip(), &grooves);
+    GodObjectTool tool = make_tool(test::make_spike(), &grooves);
     constexpr double kDepth_m = 0.002;
     (void)press_at(tool, {0.01, -kDepth_m, 0.1});
     double felt_N = 0.0;

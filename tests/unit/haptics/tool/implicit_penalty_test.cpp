@@ -1,7 +1,7 @@
 #include "haptics/tool/implicit_penalty.h"
 
-#include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/tool_scene.h"
 
 #include <catch2/catch.hpp>
@@ -18,20 +18,10 @@ namespace {
 constexpr double kDt_s = 0.001;
 const Vector3 kEdges_m(0.06, 0.03, 0.05);
 
-std::shared_ptr<const DistanceField> make_field(const TriangleMesh& mesh, int n_along) {
-    return std::make_shared<const DistanceField>(
-        DistanceField::build(mesh, DistanceField::make_frame(mesh, n_along).value()).value());
-}
-
-std::shared_ptr<const ShellTree> make_shell(const TriangleMesh& mesh, int n_points) {
-    return std::make_shared<const ShellTree>(
-        ShellTree::build(make_surface_pointshell(mesh, n_points).value()).value());
-}
-
 // A block of 10 g on a coupling of 500 N/m over a table whose top is at y = 0: contacts of 5 kN/m.
 ImplicitPenaltyPlan make_plan() {
-    static const auto field = make_field(make_box({0.4, 0.1, 0.4}).value(), 128);
-    static const auto shell = make_shell(make_box(kEdges_m).value(), 3000);
+    static const auto field = test::make_field(make_box({0.4, 0.1, 0.4}).value(), 128);
+    static const auto shell = test::make_shell(make_box(kEdges_m).value(), 3000);
     ImplicitPenaltyPlan plan;
     plan.objects.push_back({field, shell});
     plan.settings.inertia = make_box_inertia(0.01, kEdges_m);

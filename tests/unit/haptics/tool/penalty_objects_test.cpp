@@ -1,6 +1,6 @@
 // An implicit tool among more contacts than are told of at a time.
-#include "haptics/geometry/shape.h"
 #include "haptics/tool/implicit_penalty.h"
+#include "tests/support/field_parts.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,11 +15,8 @@ TEST_CASE("implicit penalty: among six walls the last one holds as the first one
     const Vector3 size(0.2, 0.1, 0.2);
     constexpr double kBlock_m = 0.3;
     constexpr double kPress_m = 0.02;
-    const TriangleMesh block = make_box(Vector3::Constant(kBlock_m)).value();
-    const auto field = std::make_shared<const DistanceField>(
-        DistanceField::build(block, DistanceField::make_frame(block, 96).value()).value());
-    const auto shell = std::make_shared<const ShellTree>(
-        ShellTree::build(make_surface_pointshell(make_box(size).value(), 6000).value()).value());
+    const auto field = test::make_field(make_box(Vector3::Constant(kBlock_m)).value(), 96);
+    const auto shell = test::make_shell(make_box(size).value(), 6000);
     const std::array<Vector3, 6> directions{-Vector3::UnitY(), -Vector3::UnitX(), Vector3::UnitX(),
                                             -Vector3::UnitZ(), Vector3::UnitY(),  Vector3::UnitZ()};
     std::vector<MovingFrame> objects(directions.size());

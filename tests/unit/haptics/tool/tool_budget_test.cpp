@@ -1,6 +1,6 @@
 // A budget of time for a tool's step, on a counted clock, so that each run is the same.
-#include "haptics/geometry/shape.h"
 #include "haptics/tool/voxel_tool.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -21,20 +21,14 @@ constexpr double kThick_m = 0.01;     // of it
 constexpr double kRounding = 1.0e-6;  // single precision
 
 FieldSampler::Field block() {
-    static const FieldSampler::Field kField = [] {
-        const TriangleMesh mesh = make_box({0.1, 2.0 * kTop_m, 0.1}).value();
-        return std::make_shared<const DistanceField>(
-            DistanceField::build(mesh, DistanceField::make_frame(mesh, 96).value()).value());
-    }();
+    static const FieldSampler::Field kField =
+        test::make_field(make_box({0.1, 2.0 * kTop_m, 0.1}).value(), 96);
     return kField;
 }
 
 FieldSampler::Shell plate() {
-    static const FieldSampler::Shell kShell = std::make_shared<const ShellTree>(
-        ShellTree::build(
-            make_surface_pointshell(make_box({kPlate_m, kThick_m, kPlate_m}).value(), 20000)
-                .value())
-            .value());
+    static const FieldSampler::Shell kShell =
+        test::make_shell(make_box({kPlate_m, kThick_m, kPlate_m}).value(), 20000);
     return kShell;
 }
 
@@ -44,6 +38,10 @@ FieldSamplingSettings make_sampling(double budget_us) {
             .clock = BudgetClock::counted,
             .leaf_us = kLeaf_us,
             .group_us = kGroup_us};
+}
+
+FieldSampler make_sampler(double budget_us) {
+    return FieldSampler::build(block(), plate(), make_sampling(budget_us)).value();
 }
 
 VoxelToolSettings make_settings(double budget_us) {
@@ -58,8 +56,8 @@ VoxelToolSettings make_settings(double budget_us) {
     return settings;
 }
 
-FieldTool make_plate(double budget_us, const VoxelToolSettings& settings) {
-    return FieldTool::build({block(), plate(), make_sampling(budget_us)}, settings).value();
+FieldTool make_plate(const VoxelToolSettings& settings) {
+    return FieldTool::build({block(), plate(), make_sampling(0.0)}, settings).value();
 }
 
 // Flat on the block's top, that much into it.
@@ -75,8 +73,7 @@ Vector3 off(const FieldTouch& some, const FieldTouch& all) {
 
 TEST_CASE("tool budget: the looks of a step take no more than its time, however many they are") {
     for (const double budget_us : {20.0, 60.0, 200.0}) {
-        FieldSampler sampler =
-            FieldSampler::build(block(), plate(), make_sampling(budget_us)).value();
+        FieldSampler sampler = make_sampler(budget_us);
         StepTime time(budget_us, BudgetClock::counted);
         Random random(5);
         int n_full = 0;
@@ -102,10 +99,9 @@ TEST_CASE("tool budget: the looks of a step take no more than its time, however 
 }
 
 TEST_CASE("tool budget: within a step the force follows the pose alone") {
-    FieldSampler all = FieldSampler::build(block(), plate(), make_sampling(0.0)).value();
+    FieldSampler all = make_sampler(0.0);
     for (const double budget_us : {30.0, 100.0}) {
-        FieldSampler sampler =
-            FieldSampler::build(block(), plate(), make_sampling(budget_us)).value();
+        FieldSampler sampler = make_sampler(budget_us);
         StepTime time(budget_us, BudgetClock::counted);
         Random random(6);
         int n_left = 0;
@@ -136,8 +132,8 @@ TEST_CASE("tool budget: within a step the force follows the pose alone") {
 }
 
 TEST_CASE("tool budget: enough time changes nothing, to the bit, and nothing is said to be off") {
-    FieldTool endless = make_plate(0.0, make_settings(0.0));
-    FieldTool ample = make_plate(0.0, make_settings(1.0e5));
+    FieldTool endless = make_plate(make_settings(0.0));
+    FieldTool ample = make_plate(make_settings(1.0e5));
     endless.place(lie(-1.0e-3));
     ample.place(lie(-1.0e-3));
     for (int i = 1; i <= 120; ++i) {
@@ -161,8 +157,8 @@ TEST_CASE(
     for (const ToolMass mass : {ToolMass::massive, ToolMass::massless}) {
         VoxelToolSettings settings = make_settings(kBudget_us);
         settings.mass = mass;
-        FieldTool tool = make_plate(0.0, settings);
-        FieldSampler all = FieldSampler::build(block(), plate(), make_sampling(0.0)).value();
+        FieldTool tool = make_plate(settings);
+        FieldSampler all = make_sampler(0.0);
         tool.place(lie(-5.0e-4));
         std::int64_t most_points = 0;
         int n_inexact = 0;
@@ -192,7 +188,7 @@ TEST_CASE(
 }
 
 TEST_CASE("tool budget: a look that was cut short tells the last force, a step long") {
-    FieldSampler sampler = FieldSampler::build(block(), plate(), make_sampling(1000.0)).value();
+    FieldSampler sampler = make_sampler(1000.0);
     const auto look = [&](double budget_us, const Pose& X_WO) {
         StepTime time(budget_us, BudgetClock::counted);
         time.begin();
@@ -247,7 +243,7 @@ TEST_CASE("tool budget: several objects share one step's time") {
 TEST_CASE("tool budget: out of time, a sweep ends short of the wall and still gets on") {
     // 20 m/s through a block of 4 cm: each step would pass 20 voxels.
     VoxelToolSettings settings = make_settings(25.0);
-    FieldTool tool = make_plate(0.0, settings);
+    FieldTool tool = make_plate(settings);
     tool.place(lie(-5.0e-3));
     double y_m = lie(-5.0e-3).position.y();
     for (int i = 1; i <= 40; ++i) {
