@@ -2,7 +2,7 @@
 
 #include "haptics/field/magnet.h"
 #include "haptics/field/viscosity.h"
-#include "tests/unit/haptics/field/field_fixture.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
@@ -17,6 +17,48 @@ namespace {
 
 constexpr double kDt_s = 0.001;
 constexpr double kRounding = 1e-12;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+FieldPlan make_spring() {
+    FieldPlan plan;
+    plan.kind = FieldKind::spring;
+    plan.anchor_W = Vector3(0.1, 0.0, 0.0);
+    plan.stiffness_N_per_m = 100.0;
+    plan.damping_Ns_per_m = 2.0;
+    return plan;
+}
+
+FieldPlan make_magnet() {
+    FieldPlan plan;
+    plan.kind = FieldKind::magnet;
+    plan.peak_force_N = 3.0;
+    plan.range_m = 0.05;
+    return plan;
+}
+
+// Spring forces alone.
+FieldPlan make_undamped() {
+    FieldPlan plan = make_spring();
+    plan.damping_Ns_per_m = 0.0;
+    return plan;
+}
+
+FieldPlan make_liquid() {
+    FieldPlan plan = make_spring();
+    plan.kind = FieldKind::viscosity;
+    return plan;
+}
+
+// A hand that rests at a place for so many steps; what it feels in the last.
+Vector3 rest(FieldStage& field, const FieldCommand& command, int n_steps = 200,
+             const Vector3& at = Vector3::Zero(), const Vector3& velocity = Vector3::Zero()) {
+    Vector3 force = Vector3::Zero();
+    for (int k = 0; k < n_steps; ++k) {
+        force = field.step(command, at, velocity, kDt_s);
+    }
+    return force;
+}
 
 // What a field gives that is wholly on, its anchor at rest.
 Vector3 feel(const FieldPlan& plan, const Vector3& anchor, const Vector3& position,
@@ -24,10 +66,7 @@ Vector3 feel(const FieldPlan& plan, const Vector3& anchor, const Vector3& positi
     FieldStage field(plan);
     FieldCommand command;
     command.anchor_W = anchor;
-    Vector3 force = Vector3::Zero();
-    for (int k = 0; k < 200; ++k) {
-        force = field.step(command, position, velocity, kDt_s);
-    }
+    const Vector3 force = rest(field, command, 200, position, velocity);
     CHECK(field.strength() == 1.0);
     return force;
 }
@@ -40,11 +79,9 @@ TEST_CASE("spring: Hooke's law with a damper, in closed form") {
 }
 
 TEST_CASE("field: a liquid brakes and holds nothing, a magnet pulls and brakes nothing") {
-    FieldPlan honey = make_spring();
-    honey.kind = FieldKind::viscosity;
     const Vector3 velocity(0.0, 0.5, -1.0);
-    CHECK((feel(honey, {0.1, 0.0, 0.0}, {0.02, 0.0, 0.0}, velocity) + 2.0 * velocity).norm() <
-          kRounding);
+    const Vector3 drag = feel(make_liquid(), {0.1, 0.0, 0.0}, {0.02, 0.0, 0.0}, velocity);
+    CHECK((drag + 2.0 * velocity).norm() < kRounding);
     FieldPlan magnet = make_magnet();
     magnet.damping_Ns_per_m = 2.0;
     // At its range, 0.05 m, its peak.
@@ -107,66 +144,49 @@ TEST_CASE("field: it switches on along a ramp and then obeys its law") {
         REQUIRE((field.step(command, position, velocity, kDt_s) - strength * full).norm() < 1e-9);
     }
     command.strength = 0.5;
-    for (int k = 0; k < 200; ++k) {
-        (void)field.step(command, position, velocity, kDt_s);
-    }
-    CHECK((field.step(command, position, velocity, kDt_s) - 0.5 * full).norm() < 1e-9);
+    CHECK((rest(field, command, 201, position, velocity) - 0.5 * full).norm() < 1e-9);
     command.on = false;
     for (int k = 1; k < 50; ++k) {
         const double strength = 0.5 - 10.0 * k * kDt_s;
         REQUIRE((field.step(command, position, velocity, kDt_s) - strength * full).norm() < 1e-9);
     }
-    (void)field.step(command, position, velocity, kDt_s);
-    CHECK(field.step(command, position, velocity, kDt_s).norm() == 0.0);
+    CHECK(rest(field, command, 2, position, velocity).norm() == 0.0);
 }
 
 TEST_CASE("field: a strength outside 0 to 1 counts as the nearest") {
     FieldStage field(make_spring());
     FieldCommand command;
     command.strength = 50.0;
-    for (int k = 0; k < 300; ++k) {
-        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
-    }
+    (void)rest(field, command, 300);
     CHECK(field.strength() == 1.0);
     command.strength = -3.0;
-    for (int k = 0; k < 300; ++k) {
-        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
-    }
+    (void)rest(field, command, 300);
     CHECK(field.strength() == 0.0);
 }
 
 TEST_CASE(
     "field: an anchor that jumps is followed in closed form, and a field that was off starts at "
     "it") {
-    FieldPlan plan = make_spring();
-    plan.damping_Ns_per_m = 0.0;
-    FieldStage field(plan);
+    FieldStage field(make_undamped());
     FieldCommand command;
     command.anchor_W = Vector3(0.05, 0.0, 0.0);
-    for (int k = 0; k < 200; ++k) {
-        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
-    }
-    CHECK(field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s).x() == Approx(5.0));
+    CHECK(rest(field, command, 201).x() == Approx(5.0));
     command.anchor_W = Vector3(0.0, 0.02, 0.0);
     for (int k = 1; k <= 50; ++k) {
         const double left = std::exp(-k * kDt_s / 0.02);
         const Vector3 anchor =
             command.anchor_W + left * (Vector3(0.05, 0.0, 0.0) - command.anchor_W);
-        REQUIRE(
-            (field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s) - 100.0 * anchor).norm() <
-            1e-9);
+        REQUIRE((rest(field, command, 1) - 100.0 * anchor).norm() < 1e-9);
     }
 }
 
 TEST_CASE("field: a time that is no time passes none") {
     FieldStage field(make_spring());
     const FieldCommand command;
-    for (int k = 0; k < 50; ++k) {
-        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
-    }
+    (void)rest(field, command, 50);
     const double before = field.strength();
     REQUIRE(before == Approx(0.5));
-    for (const double dt_s : {std::numeric_limits<double>::quiet_NaN(), -0.01, -1e300}) {
+    for (const double dt_s : {kNan, -0.01, -1e300}) {
         CHECK(field.step(command, Vector3::Zero(), Vector3::Zero(), dt_s).allFinite());
         CHECK(field.strength() == before);
     }
@@ -174,24 +194,17 @@ TEST_CASE("field: a time that is no time passes none") {
 
 TEST_CASE("field: an anchor at the end of all numbers is no place, and a field gets over it") {
     for (const bool while_on : {false, true}) {
-        FieldPlan plan = make_spring();
-        plan.damping_Ns_per_m = 0.0;
-        FieldStage field(plan);
+        FieldStage field(make_undamped());
         FieldCommand command;
         command.anchor_W = Vector3(0.05, 0.0, 0.0);
-        for (int k = 0; k < (while_on ? 200 : 0); ++k) {
-            (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
-        }
+        (void)rest(field, command, while_on ? 200 : 0);
         for (int k = 0; k < 200; ++k) {
             command.anchor_W = Vector3(k % 2 == 0 ? 1e308 : -1e308, 0.0, 0.0);
-            REQUIRE(field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s).norm() <= 5.0001);
+            REQUIRE(rest(field, command, 1).norm() <= 5.0001);
         }
         CHECK(field.strength() == 0.0);
         command.anchor_W = Vector3(0.05, 0.0, 0.0);
-        for (int k = 0; k < 200; ++k) {
-            (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
-        }
-        CHECK(field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s).x() == Approx(5.0));
+        CHECK(rest(field, command, 201).x() == Approx(5.0));
     }
 }
 
@@ -201,9 +214,7 @@ TEST_CASE("field: its largest gains are the slopes of its law, of a magnet at th
         const Vector3 away = plan.anchor_W + Vector3(h, 0, 0);
         return -feel(plan, plan.anchor_W, away, Vector3::Zero()).x() / h;
     };
-    FieldPlan honey = make_spring();
-    honey.kind = FieldKind::viscosity;
-    for (const FieldPlan& plan : {make_spring(), make_magnet(), honey}) {
+    for (const FieldPlan& plan : {make_spring(), make_magnet(), make_liquid()}) {
         const FieldGains gains = compute_largest_gains(plan);
         CHECK(gains.stiffness_N_per_m == Approx(slope(plan)).margin(1e-6).epsilon(1e-6));
         CHECK(
@@ -215,17 +226,16 @@ TEST_CASE("field: its largest gains are the slopes of its law, of a magnet at th
 TEST_CASE("field: a command that is not finite lets the field go") {
     FieldStage field(make_magnet());
     FieldCommand command;
+    const Vector3 at(0.05, 0, 0);
+    (void)rest(field, command, 200, at);
+    command.anchor_W.x() = kNan;
     for (int k = 0; k < 200; ++k) {
-        (void)field.step(command, Vector3(0.05, 0, 0), Vector3::Zero(), kDt_s);
-    }
-    command.anchor_W.x() = std::numeric_limits<double>::quiet_NaN();
-    for (int k = 0; k < 200; ++k) {
-        REQUIRE(field.step(command, Vector3(0.05, 0, 0), Vector3::Zero(), kDt_s).allFinite());
+        REQUIRE(rest(field, command, 1, at).allFinite());
     }
     CHECK(field.strength() == 0.0);
     command = {};
-    command.strength = std::numeric_limits<double>::infinity();
-    CHECK(field.step(command, Vector3(0.05, 0, 0), Vector3::Zero(), kDt_s).norm() == 0.0);
+    command.strength = kInfinity;
+    CHECK(rest(field, command, 1, at).norm() == 0.0);
 }
 
 TEST_CASE(
@@ -249,9 +259,7 @@ TEST_CASE(
         const double damping = plan.kind == FieldKind::spring ? 2.0 : 0.0;
         CHECK((force - field.elastic().now_W + field.strength() * damping * velocity).norm() <
               kRounding);
-        for (int k = 0; k < 200; ++k) {
-            (void)field.step(command, x, velocity, kDt_s);
-        }
+        (void)rest(field, command, 200, x, velocity);
         CHECK(field.elastic().now_W == field.elastic().held_W);
         // An anchor that is moved: held where it was.
         command.anchor_W = plan.anchor_W + Vector3(0.0, 0.05, 0.0);
@@ -262,17 +270,51 @@ TEST_CASE(
         CHECK((field.elastic().held_W - pull(plan.anchor_W)).norm() < kRounding);
         // Off and gone.
         command.on = false;
-        for (int k = 0; k < 200; ++k) {
-            (void)field.step(command, x, velocity, kDt_s);
-        }
+        (void)rest(field, command, 200, x, velocity);
         CHECK(field.elastic().now_W.norm() == 0.0);
         CHECK(field.elastic().held_W.norm() == 0.0);
     }
-    FieldPlan honey;
-    honey.kind = FieldKind::viscosity;
-    honey.damping_Ns_per_m = 3.0;
-    FieldStage liquid(honey);
+    FieldStage liquid(make_liquid());
     CHECK(liquid.step({}, Vector3::Zero(), Vector3(1, 0, 0), kDt_s).x() < 0.0);
     CHECK(liquid.elastic().now_W.norm() == 0.0);
     CHECK(liquid.elastic().held_W.norm() == 0.0);
+}
+
+TEST_CASE("field: coefficients outside their ranges are refused, at their bounds accepted") {
+    check_refused(make_spring(), {[](auto& plan) { plan.stiffness_N_per_m = -0.1; },
+                                  [](auto& plan) { plan.damping_Ns_per_m = -1.0; }});
+    check_refused(make_magnet(), {[](auto& plan) { plan.range_m = 0.0; },
+                                  [](auto& plan) { plan.range_m = 0.002; },  // 2473 N/m inside
+                                  [](auto& plan) { plan.peak_force_N = kNan; },
+                                  [](auto& plan) { plan.anchor_W.y() = kInfinity; }});
+    struct Bound {
+        FieldKind kind;
+        double FieldPlan::*number;
+        double last, first_out;
+    };
+    for (const Bound& bound :
+         {Bound{FieldKind::spring, &FieldPlan::stiffness_N_per_m, 2000.0, 2000.1},
+          Bound{FieldKind::viscosity, &FieldPlan::damping_Ns_per_m, 50.0, 50.1},
+          Bound{FieldKind::magnet, &FieldPlan::peak_force_N, 10.0, 10.1},
+          Bound{FieldKind::magnet, &FieldPlan::range_m, 100.0, 100.1},
+          Bound{FieldKind::magnet, &FieldPlan::range_m, 0.001, 0.0009}}) {
+        FieldPlan plan;
+        plan.kind = bound.kind;
+        plan.range_m = 1.0;
+        plan.*bound.number = bound.last;
+        CHECK(validate(plan));
+        plan.*bound.number = bound.first_out;
+        CAPTURE(bound.first_out);
+        CHECK_FALSE(validate(plan));
+    }
+    FieldPlan stiff = make_spring();
+    stiff.stiffness_N_per_m = 2001.0;
+    CHECK(is_refused(validate(stiff), "0 to 2000"));
+    // 10 N over 8.2 mm: 2011 N/m at the centre.
+    FieldPlan steep = make_magnet();
+    steep.peak_force_N = 10.0;
+    steep.range_m = 0.0083;
+    CHECK(validate(steep));
+    steep.range_m = 0.0082;
+    CHECK_FALSE(validate(steep));
 }

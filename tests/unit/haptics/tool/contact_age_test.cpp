@@ -1,5 +1,7 @@
 #include "haptics/tool/contact_age.h"
 
+#include "tests/support/refused.h"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -84,9 +86,7 @@ TEST_CASE("contact age: an answer from the future is new, one that is no number 
 }
 
 TEST_CASE("contact age: settings outside their ranges are refused") {
-    CHECK(validate(ContactAgeSettings{}));
-    for (const double bad : {0.0, 0.0009, 10.1, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-        CHECK_FALSE(validate(ContactAgeSettings{.hold_s = bad}));
-        CHECK_FALSE(validate(ContactAgeSettings{.fade_s = bad}));
-    }
+    test::check_ranges(ContactAgeSettings{},
+                       {{"hold_s", [](auto& s) -> double& { return s.hold_s; }, 0.001, 10.0},
+                        {"fade_s", [](auto& s) -> double& { return s.fade_s; }, 0.001, 10.0}});
 }

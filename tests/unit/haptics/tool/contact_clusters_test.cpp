@@ -1,6 +1,7 @@
 #include "haptics/tool/contact_clusters.h"
 
 #include "haptics/tool/contact_loop.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
@@ -230,19 +231,10 @@ TEST_CASE("contact clusters: a contact that passes from one to another moves nei
 }
 
 TEST_CASE("contact clusters: settings outside their ranges are refused") {
-    CHECK(validate(kPlain));
-    for (const auto& spoil : std::vector<void (*)(ContactClusterSettings&)>{
-             [](ContactClusterSettings& s) { s.within_m = 0.0; },
-             [](ContactClusterSettings& s) { s.radius_m = -1.0; },
-             [](ContactClusterSettings& s) { s.most = 0; },
-             [](ContactClusterSettings& s) { s.most = kMostClusters + 1; },
-             [](ContactClusterSettings& s) {
-                 s.fade_s = std::numeric_limits<double>::quiet_NaN();
-             }}) {
-        ContactClusterSettings spoiled = kPlain;
-        spoil(spoiled);
-        CHECK_FALSE(validate(spoiled));
-    }
+    test::check_refused(kPlain,
+                        {[](auto& s) { s.within_m = 0.0; }, [](auto& s) { s.radius_m = -1.0; },
+                         [](auto& s) { s.most = 0; }, [](auto& s) { s.most = kMostClusters + 1; },
+                         [](auto& s) { s.fade_s = std::nan(""); }});
 }
 
 TEST_CASE("contact clusters: what weighs nothing or is no number changes nothing") {

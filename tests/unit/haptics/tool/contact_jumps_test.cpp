@@ -99,23 +99,41 @@ class Standing {
 
 }  // namespace
 
-TEST_CASE(
-    "contact jumps: one cluster that fades and comes back by chance keeps the promise of one") {
+TEST_CASE("contact jumps: clusters told by chance, weaker, turned, elsewhere, keep the promise") {
     double most_N = 0.0;
     CHECK(rc::check([&] {
         Chance chance;
         Standing tool;
         const int every = chance.count(1, 12);  // steps a round of the contact thread
-        ContactCluster told{1, {0.02, 0.0, 0.0}, Vector3::UnitY(), {0.02, 0.01, 0.0}, 0.01, 1.0};
+        const auto n = static_cast<std::size_t>(chance.count(1, 4));
+        std::array<ContactCluster, 3> all;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const double x_m = 0.02 * (k == 1 ? -1.0 : 1.0);
+            all.at(k) = {k + 1, {x_m, 0.0, 0.0}, Vector3::UnitY(), {x_m, 0.01, 0.0}, 0.01, 1.0};
+        }
         for (int i = 0; i < kSteps; ++i) {
-            if (i % every == 0) {
+            std::vector<ContactCluster> told;
+            for (ContactCluster& one : std::span(all).first(n)) {
                 const double what = chance.any(0.0, 1.0);
-                told.strength = what < 0.5 ? chance.any(0.0, 1.0) : 1.0;
-                told.normal_O = chance.normal(what < 0.2 ? 1.0 : 0.0);
-                tool.learn({&told, what < 0.9 ? 1U : 0U});
+                one.strength = what < 0.5 ? chance.any(0.0, 1.0) : 1.0;
+                one.normal_O = chance.normal(what < 0.2 ? 1.0 : 0.0);
+                if (n > 1) {
+                    // One alone stays where it is; more are told elsewhere too, and half-way by other numbers.
+                    one.point_T = {chance.any(-0.02, 0.02), 0.0, chance.any(-0.02, 0.02)};
+                    one.place_O = one.point_T + chance.any(-0.004, 0.01) * one.normal_O;
+                    one.id += i == kSteps / 2 ? 10U : 0U;
+                }
+                if (what < 0.9) {
+                    told.push_back(one);
+                }
+            }
+            if (i % every == 0) {
+                tool.learn(told);
             }
             tool.step();
-            RC_ASSERT(tool.jump_N() <= tool.promised_N(1) * kRounding);
+            const double promised_N = tool.promised_N(n == 1 ? 1 : tool.n_planes());
+            RC_ASSERT(tool.jump_N() <= promised_N * kRounding);
+            RC_ASSERT(tool.jump_Nm() <= (0.03 * promised_N + tool.arm_Nm()) * kRounding);
             most_N = std::max(most_N, tool.push_N());
         }
     }));

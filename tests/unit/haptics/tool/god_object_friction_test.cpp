@@ -1,6 +1,7 @@
 #include "haptics/math/rotation.h"
 #include "haptics/tool/god_object_tool.h"
 #include "tests/support/god_scene.h"
+#include "tests/support/refused.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -267,16 +268,21 @@ TEST_CASE("god-object friction: of next to nothing it is what it is without") {
 }
 
 TEST_CASE("god-object friction: what is out of range, and a viscous part, are refused") {
-    const auto refused = [](const FrictionSettings& friction) {
-        return !GodObjectTool::build({{GodSurface::create(make_ground()),
-                                       GodSurface::create(make_cube()), friction}},
-                                     test::make_god_settings(kCube))
-                    .has_value();
+    const auto takes = [](const FrictionSettings& friction) {
+        const GodObjectPlan plan{GodSurface::create(make_ground()), GodSurface::create(make_cube()),
+                                 friction};
+        return GodObjectTool::build({plan}, test::make_god_settings(kCube)).has_value();
     };
-    CHECK_FALSE(refused(kWood));
-    CHECK(refused({0.5, 0.6, 0.0}));
-    CHECK(refused({std::nan(""), 0.0, 0.0}));
-    CHECK(refused({0.5, 0.4, 1.0}));
+    test::check_refused(kWood, takes,
+                        {[](auto& friction) {
+                             friction = {0.5, 0.6, 0.0};
+                         },
+                         [](auto& friction) {
+                             friction = {std::nan(""), 0.0, 0.0};
+                         },
+                         [](auto& friction) {
+                             friction = {0.5, 0.4, 1.0};
+                         }});
 }
 
 }  // namespace

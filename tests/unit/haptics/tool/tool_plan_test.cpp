@@ -1,6 +1,7 @@
 #include "haptics/tool/tool_plan.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/refused.h"
 #include "tests/support/tool_scene.h"
 
 #include <catch2/catch.hpp>
@@ -29,6 +30,18 @@ void change_points(ToolPlan& plan, const Change& change) {
 
 constexpr ToolMethod kMethods[] = {ToolMethod::field_sampling, ToolMethod::voxel_sampling,
                                    ToolMethod::implicit_penalty};
+
+// Of these, of one that finds its contacts by levels, and of a god-object.
+std::vector<ToolScene> make_every_tool() {
+    std::vector<ToolScene> all;
+    for (const ToolMethod method : kMethods) {
+        all.push_back(make_ball_tool(method));
+    }
+    all.push_back(make_ball_tool(ToolMethod::implicit_penalty));
+    all.back().contact = ContactFinding::levels;
+    all.push_back(make_ball_tool(ToolMethod::god_object));
+    return all;
+}
 
 TriangleMesh make_floor_box() {
     return make_box({0.2, 0.04, 0.2}).value();
@@ -125,30 +138,22 @@ TEST_CASE("tool plan: large voxels are kept as a tree, small ones as a grid") {
 }
 
 TEST_CASE("tool plan: what cannot be a tool is refused") {
-    const auto refused = [](ToolMethod method, auto change) {
-        ToolPlan plan = *make_tool_of(make_ball_tool(method), {make_floor_box()});
-        change(plan);
-        return !validate(plan);
-    };
     for (const ToolMethod method : kMethods) {
-        CHECK_FALSE(refused(method, [](ToolPlan&) {}));
-        CHECK(refused(method, [](ToolPlan& plan) {
-            std::visit([](auto& objects) { objects.clear(); }, plan.objects);
-        }));
-        CHECK(refused(method, [](ToolPlan& plan) {
-            change_points(plan, [](auto& object) { object.shell = {}; });
-        }));
-        CHECK(refused(method, [](ToolPlan& plan) {
-            change_points(plan, [](auto& object) { object.settings.stiffness_N_per_m = -1.0; });
-            if (plan.penalty) {
-                plan.penalty->contacts.stiffness_N_per_m = -1.0;
-            }
-        }));
-        CHECK(refused(method, [](ToolPlan& plan) { plan.settings.inertia.mass_kg = 0.0; }));
-        CHECK(refused(method, [](ToolPlan& plan) {
-            plan.settings.coupling.shift.stiffness_N_per_m = std::nan("");
-        }));
-        CHECK(refused(method, [](ToolPlan& plan) { plan.settings.handle_turn.coeffs() *= 1.01; }));
+        CAPTURE(static_cast<int>(method));
+        check_refused(
+            *make_tool_of(make_ball_tool(method), {make_floor_box()}),
+            {[](auto& plan) { std::visit([](auto& objects) { objects.clear(); }, plan.objects); },
+             [](auto& plan) { change_points(plan, [](auto& object) { object.shell = {}; }); },
+             [](auto& plan) {
+                 change_points(plan,
+                               [](auto& object) { object.settings.stiffness_N_per_m = -1.0; });
+                 if (plan.penalty) {
+                     plan.penalty->contacts.stiffness_N_per_m = -1.0;
+                 }
+             },
+             [](auto& plan) { plan.settings.inertia.mass_kg = 0.0; },
+             [](auto& plan) { plan.settings.coupling.shift.stiffness_N_per_m = std::nan(""); },
+             [](auto& plan) { plan.settings.handle_turn.coeffs() *= 1.01; }});
     }
     ToolOrder order;
     order.shell = std::make_shared<const Pointshell>();
@@ -156,21 +161,70 @@ TEST_CASE("tool plan: what cannot be a tool is refused") {
     CHECK(compute_reach_m(*order.shell) == 0.0);
 }
 
-TEST_CASE("tool plan: a tool that lies turned in its handle is where the handle says") {
-    ToolScene scene = make_ball_tool();
-    scene.settings.grip_T = {0.0, 0.01, 0.02};
-    scene.settings.handle_turn = compute_exp(Vector3(0.4, 1.0, -0.7));
-    const std::unique_ptr<ToolSolver> tool = make_tool(*make_tool_of(scene, {make_floor_box()}));
-    const MovingFrame floor[] = {{Pose::at({0.0, -1.0, 0.0}), {}}};
-    const Pose handle{{0.1, 0.2, 0.3}, compute_exp(Vector3(0.5, -0.4, 0.2))};
-    tool->place(handle);
-    for (int i = 1; i <= 100; ++i) {
-        CHECK((tool->grip_W().position - handle.position).norm() < 1e-12);
-        CHECK(tool->grip_W().orientation.angularDistance(handle.orientation) < 1e-9);
-        CHECK(tool->move({handle, {}}, floor, i * kDt_s, kDt_s).moved);
+TEST_CASE("tool plan: held by its grip, turned in its handle, a tool of any kind is where it is") {
+    for (ToolScene& scene : make_every_tool()) {
+        CAPTURE(static_cast<int>(scene.method), static_cast<int>(scene.contact));
+        scene.settings.grip_T = {0.0, 0.01, 0.02};
+        scene.settings.handle_turn = compute_exp(Vector3(0.4, 1.0, -0.7));
+        const auto tool = make_tool(*make_tool_of(scene, {make_floor_box()}));
+        const MovingFrame floor[] = {{Pose::at({0.0, -1.0, 0.0}), {}}};
+        const Pose handle{{0.1, 0.2, 0.3}, compute_exp(Vector3(0.5, -0.4, 0.2))};
+        tool->place(handle);
+        for (int i = 1; i <= 100; ++i) {
+            CHECK((tool->grip_W().position - handle.position).norm() < 1e-12);
+            CHECK(tool->grip_W().orientation.angularDistance(handle.orientation) < 1e-9);
+            const ToolFelt felt = tool->move({handle, {}}, floor, i * kDt_s, kDt_s);
+            CHECK(felt.moved);
+            CHECK(felt.felt_W.force.norm() == 0.0);
+        }
+        const Vector3 arm_W =
+            handle.orientation * (scene.settings.handle_turn * scene.settings.grip_T);
+        CHECK((tool->centre_W() - (handle.position - arm_W)).norm() < 1e-12);
     }
-    const Vector3 arm_W = handle.orientation * (scene.settings.handle_turn * scene.settings.grip_T);
-    CHECK((tool->centre_W() - (handle.position - arm_W)).norm() < 1e-12);
+}
+
+TEST_CASE("tool plan: hands and objects that are no number move no tool, and it goes on after") {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    using Spoil = void (*)(MovingFrame & hand, MovingFrame & object);
+    for (const ToolScene& scene : make_every_tool()) {
+        const auto tool = make_tool(*make_tool_of(scene, {make_floor_box()}));
+        const MovingFrame hand{Pose::at({0.0, 0.035, 0.0}), {}};
+        const MovingFrame floor;
+        tool->place(Pose::at({0.0, 0.05, 0.0}));
+        int n_steps = 0;
+        const auto step = [&](const MovingFrame& at, std::span<const MovingFrame> objects) {
+            ++n_steps;
+            return tool->move(at, objects, n_steps * kDt_s, kDt_s);
+        };
+        for (int i = 0; i < 600; ++i) {
+            (void)step(hand, {&floor, 1});
+        }
+        Vector3 rest = tool->centre_W();
+        const auto check_still = [&](const ToolFelt& felt) {
+            CHECK_FALSE(felt.moved);
+            CHECK(felt.felt_W.force == Vector3::Zero());
+            CHECK(tool->centre_W() == rest);
+        };
+        const Spoil spoils[] = {
+            [](MovingFrame& at, MovingFrame&) { at.pose_W.position.y() = kNone; },
+            [](MovingFrame&, MovingFrame& at) { at.pose_W.orientation.x() = kNone; },
+            [](MovingFrame& at, MovingFrame&) { at.velocity_W.angular.z() = kNone; },
+            [](MovingFrame&, MovingFrame& at) { at.velocity_W.angular.x() = kNone; }};
+        // A god-object reckons with no velocity.
+        const std::size_t n_spoils = scene.method == ToolMethod::god_object ? 2 : 4;
+        for (std::size_t k = 0; k < n_spoils; ++k) {
+            CAPTURE(static_cast<int>(scene.method), static_cast<int>(scene.contact), k);
+            MovingFrame bad_hand = hand;
+            MovingFrame bad_floor = floor;
+            spoils[k](bad_hand, bad_floor);
+            for (int i = 0; i < 50; ++i) {
+                check_still(step(bad_hand, {&bad_floor, 1}));
+            }
+            CHECK(step(hand, {&floor, 1}).felt_W.force.y() > 1.0);
+            rest = tool->centre_W();
+        }
+        check_still(step(hand, {}));
+    }
 }
 
 TEST_CASE("tool plan: several objects add up, and each tells its own share") {

@@ -2,6 +2,7 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/voxel/voxelise.h"
+#include "tests/support/refused.h"
 #include "tests/unit/haptics/tool/voxel_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -369,14 +370,12 @@ TEST_CASE("voxel sampling: what cannot be sampled is refused") {
     open.cells[open.index_of({15, 3, 4})] = VoxelClass::surface;
     CHECK_FALSE(
         VoxelSampling::build({std::make_shared<const VoxelGrid>(open), nullptr, shell, plain()}));
-    for (auto change : std::vector<void (*)(VoxelSamplingSettings&)>{
-             [](VoxelSamplingSettings& s) { s.stiffness_N_per_m = -1.0; },
-             [](VoxelSamplingSettings& s) { s.full_contacts = 0.5; },
-             [](VoxelSamplingSettings& s) { s.braking_Ns_per_m = std::nan(""); },
-             [](VoxelSamplingSettings& s) { s.inertia.mass_kg = 0.0; },
-             [](VoxelSamplingSettings& s) { s.cycle_s = 0.0; }}) {
-        VoxelSamplingSettings settings = plain();
-        change(settings);
-        CHECK_FALSE(VoxelSampling::build({make_floor(), nullptr, shell, settings}));
-    }
+    check_refused(
+        plain(),
+        [&](const VoxelSamplingSettings& settings) {
+            return VoxelSampling::build({make_floor(), nullptr, shell, settings}).has_value();
+        },
+        {[](auto& s) { s.stiffness_N_per_m = -1.0; }, [](auto& s) { s.full_contacts = 0.5; },
+         [](auto& s) { s.braking_Ns_per_m = std::nan(""); },
+         [](auto& s) { s.inertia.mass_kg = 0.0; }, [](auto& s) { s.cycle_s = 0.0; }});
 }
