@@ -1,6 +1,8 @@
 #include "haptics/levels/contact_levels.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
@@ -127,13 +129,8 @@ TEST_CASE(
     "contact levels: a hull stands out of a hollow by its sagitta, of what is convex not at all") {
     // A ball's surface turned inwards: what is in front of it is inside, and a hull's nearest to the middle stands out most.
     constexpr double kRadius_m = 0.1;
-    const TriangleMesh ball = make_sphere(kRadius_m, 10).value();
-    std::vector<TriangleCorners> inwards = ball.triangles();
-    for (TriangleCorners& triangle : inwards) {
-        std::swap(triangle[0], triangle[1]);
-    }
     const Levels levels =
-        make_levels(TriangleMesh::build(ball.vertices_B(), inwards).value(), 1.0e-3);
+        make_levels(make_inverted(make_sphere(kRadius_m, 10).value()).value(), 1.0e-3);
     const double facet_m = kRadius_m * (1.0 - std::cos(0.5 / 10.0 * std::numbers::pi / 2.0)) * 2.0;
     int n_standing = 0;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(levels->nodes().size()); ++i) {
@@ -169,11 +166,7 @@ TEST_CASE("contact levels: a mesh gives the same levels each time") {
 
 TEST_CASE("contact levels: what is wrong with a mesh is told, and a broken one has levels too") {
     const TriangleMesh ball = make_sphere(0.1, 6).value();
-    std::vector<TriangleCorners> broken = ball.triangles();
-    std::swap(broken[3][0], broken[3][1]);  // flipped
-    broken.push_back(broken[10]);           // twice: edges of three triangles
-    broken.erase(broken.begin() + 20);      // open
-    const TriangleMesh mesh = TriangleMesh::build(ball.vertices_B(), broken).value();
+    const TriangleMesh mesh = test::make_broken(ball);
     const Levels levels = make_levels(mesh);
     check_tree(mesh, *levels);
     check_bounds(mesh, *levels);
@@ -185,9 +178,7 @@ TEST_CASE("contact levels: what is wrong with a mesh is told, and a broken one h
 TEST_CASE("contact levels: what cannot be is refused, and an order to stop is heard") {
     const TriangleMesh mesh = make_bumpy_sphere(0.1, 20, 0.05, 30.0).value();
     for (const double within_m : {0.0, -1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
-        const auto made = ContactLevels::create(mesh, {.within_m = within_m});
-        REQUIRE_FALSE(made);
-        CHECK(to_sentence(made.error()).find("within_m") != std::string::npos);
+        CHECK(test::is_refused(ContactLevels::create(mesh, {.within_m = within_m}), "within_m"));
     }
     double share = 0.0;
     const auto told = ContactLevels::create(mesh, {}, [&share](double done) {
@@ -198,6 +189,5 @@ TEST_CASE("contact levels: what cannot be is refused, and an order to stop is he
     REQUIRE(told);
     const auto stopped = ContactLevels::create(make_bumpy_sphere(0.1, 60, 0.05, 100.0).value(), {},
                                                [](double done) { return done < 0.25; });
-    REQUIRE_FALSE(stopped);
-    CHECK(to_sentence(stopped.error()).find("stopped") != std::string::npos);
+    CHECK(test::is_refused(stopped, "stopped"));
 }

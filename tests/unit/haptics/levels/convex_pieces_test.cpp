@@ -1,6 +1,8 @@
 #include "haptics/levels/convex_pieces.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
@@ -103,9 +105,7 @@ TEST_CASE("convex pieces: a flat L is not filled by one polygon") {
 
 TEST_CASE("convex pieces: without an inside pieces are flat") {
     const TriangleMesh ball = make_sphere(0.1, 6).value();
-    std::vector<TriangleCorners> open = ball.triangles();
-    open.resize(open.size() / 2);
-    const TriangleMesh cracked = TriangleMesh::build(ball.vertices_B(), open).value();
+    const TriangleMesh cracked = test::take_first(ball, std::ssize(ball.triangles()) / 2);
     const ConvexPieces of_open = make_convex_pieces(cracked).value();
     CHECK_FALSE(of_open.has_inside);
     CHECK(of_open.n_pieces == static_cast<std::int32_t>(cracked.triangles().size()));
@@ -121,10 +121,7 @@ TEST_CASE("convex pieces: without an inside pieces are flat") {
 }
 
 TEST_CASE("convex pieces: a few holes leave an inside") {
-    std::vector<TriangleCorners> open = make_sphere(0.1, 8).value().triangles();
-    open.pop_back();
-    const TriangleMesh holed =
-        TriangleMesh::build(make_sphere(0.1, 8).value().vertices_B(), open).value();
+    const TriangleMesh holed = test::take_first(make_sphere(0.1, 8).value(), -1);
     const ConvexPieces pieces = make_convex_pieces(holed).value();
     CHECK(pieces.has_inside);
     CHECK(pieces.n_pieces == 1);
@@ -136,6 +133,5 @@ TEST_CASE("convex pieces: a mesh is cut the same way each time, and an order to 
     CHECK(make_convex_pieces(mesh).value().piece_of == make_convex_pieces(mesh).value().piece_of);
     const Expected<ConvexPieces> stopped = make_convex_pieces(
         make_bumpy_sphere(0.1, 80, 0.1, 200.0).value(), [](double) { return false; });
-    REQUIRE_FALSE(stopped);
-    CHECK(to_sentence(stopped.error()).find("stopped") != std::string::npos);
+    CHECK(test::is_refused(stopped, "stopped"));
 }

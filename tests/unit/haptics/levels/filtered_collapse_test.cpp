@@ -1,6 +1,7 @@
 #include "haptics/levels/filtered_collapse.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/edited_meshes.h"
 
 #include <catch2/catch.hpp>
 
@@ -78,11 +79,7 @@ TEST_CASE(
 }
 
 TEST_CASE("filtered collapse: corners of open edges stay, and one that is told to stop does") {
-    std::vector<TriangleCorners> open = make_bumpy_sphere(0.1, 12, 0.03, 60.0).value().triangles();
-    open.pop_back();
-    const TriangleMesh mesh =
-        TriangleMesh::build(make_bumpy_sphere(0.1, 12, 0.03, 60.0).value().vertices_B(), open)
-            .value();
+    const TriangleMesh mesh = test::take_first(make_bumpy_sphere(0.1, 12, 0.03, 60.0).value(), -1);
     const std::int64_t n_open = compute_mesh_report(mesh).open_edges;
     REQUIRE(n_open == 3);
     Simplified one(mesh);

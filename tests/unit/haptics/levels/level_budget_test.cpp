@@ -1,7 +1,6 @@
 // A budget of time is kept however deep it is, and what it leaves is told: by a clock that counts.
-#include "haptics/geometry/shape.h"
-#include "haptics/levels/level_pairs.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/level_parts.h"
 
 #include <catch2/catch.hpp>
 
@@ -9,30 +8,14 @@
 #include <cmath>
 
 using namespace fulcrum;
+using test::find_push;
+using test::kRounding_m;
+using test::Levels;
+using test::make_levels;
+using test::make_lumps;
+using test::make_pairs;
 
 namespace {
-
-constexpr double kRounding_m = 2.0e-7;  // slack of pieces, a ten-millionth of the size
-
-using Levels = std::shared_ptr<const ContactLevels>;
-
-Levels make_levels(const TriangleMesh& mesh, double within_m) {
-    return ContactLevels::create(mesh, {.within_m = within_m}).value();
-}
-
-std::unique_ptr<LevelPairs> make_pairs(const Levels& object, const Levels& tool,
-                                       const LevelPairSettings& settings = {}) {
-    return LevelPairs::create(object, tool, settings).value();
-}
-
-// Where all contacts together push.
-Vector3 find_push(const LevelPairs& pairs) {
-    Vector3 push = Vector3::Zero();
-    for (const LevelContact& contact : pairs.contacts()) {
-        push += std::max(contact.depth_m, 0.0) * contact.normal_O;
-    }
-    return push;
-}
 
 // A clock that is read once a piece of work: then so many microseconds are so many pieces.
 double ticks_s = 0.0;
@@ -44,7 +27,7 @@ double count_a_tick_s() noexcept {
 // 10 mm deep, where thousands of pairs of pieces are looked at.
 struct DeepLumps {
     static constexpr double kNear_m = 1.0e-3;
-    Levels levels = make_levels(make_bumpy_sphere(0.05, 20, 0.02, 100.0).value(), kNear_m);
+    Levels levels = make_lumps(kNear_m);
     Pose X_OT{{0.002, 0.09, 0.0}, compute_exp(Vector3(0.2, 0.4, 0.1))};
     [[nodiscard]] std::unique_ptr<LevelPairs> ask_within(double budget_us) const {
         return make_pairs(levels, levels, {.budget_us = budget_us, .now_s = &count_a_tick_s});
@@ -117,8 +100,8 @@ TEST_CASE("level pairs: within a budget it is pushed out as without, the more ti
 TEST_CASE(
     "level pairs: a budget that is enough gives the whole answer, and no more than a tolerance") {
     constexpr double kNear_m = 5.0e-3;
-    const Levels levels = make_levels(make_bumpy_sphere(0.05, 20, 0.02, 100.0).value(), kNear_m);
-    const Pose X_OT{{0.0, 0.102, 0.0}, compute_exp(Vector3(0.2, 0.4, 0.1))};
+    const Levels levels = make_lumps(kNear_m);
+    const Pose X_OT = test::kLumpsApart;
     const auto exact = make_pairs(levels, levels);
     const double nearest_m = exact->find(X_OT, kNear_m).nearest_m;
     const auto most = make_pairs(levels, levels, {.budget_us = 1.0e6});

@@ -4,14 +4,12 @@
 #include "haptics/levels/level_pairs.h"
 #include "tests/support/gear.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/kept_bytes.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstring>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -21,7 +19,10 @@ namespace {
 
 using Levels = std::shared_ptr<const ContactLevels>;
 
-constexpr std::size_t kPayloadAt = 56;
+using test::kPayloadAt;
+using test::number_at;
+using test::with_mended;
+
 // Within the payload: what stands before the nodes, and in each of these.
 constexpr std::size_t kCountsAt = 8 + 8 * 8 + 4 * 8 + 2 * 8 + 2 * 4 + 2;
 constexpr std::size_t kNodesAt = kCountsAt + 5 * 8;
@@ -39,23 +40,14 @@ Digest key_of_levels(const TriangleMesh& mesh) {
     return compute_shape_key(ShapeKind::contact_levels, mesh, std::vector<double>{1.0e-3});
 }
 
-// Changed, and its checksum put right.
-template <class T>
-Bytes with_mended(const Bytes& bytes, std::size_t at, T value) {
-    Bytes changed = bytes;
-    std::memcpy(changed.data() + at, &value, sizeof value);
-    const std::size_t end = changed.size() - sizeof(Digest);
-    const Digest checksum = compute_sha256(std::span(changed).first(end));
-    std::memcpy(changed.data() + end, checksum.data(), sizeof checksum);
-    return changed;
-}
-
-template <class T>
-T number_at(const Bytes& bytes, std::size_t at) {
-    T number{};
-    std::memcpy(&number, bytes.data() + at, sizeof number);
-    return number;
-}
+// A gear's levels as they are kept, and where in the payload its nodes' spans begin.
+struct GearBytes {
+    TriangleMesh mesh = gear();
+    Levels made = make_levels(mesh);
+    Digest key = key_of_levels(mesh);
+    Bytes bytes = encode(*made, key);
+    std::size_t spans_at = kNodesAt + made->nodes().size() * kNodeBytes;
+};
 
 // Two balls, one with more corners than are asked one by one; a gear; what is broken.
 std::vector<TriangleMesh> meshes() {
@@ -106,15 +98,9 @@ TEST_CASE("level bytes: what is cut off, longer, changed, or of another mesh is 
     const TriangleMesh box = make_box(Vector3(0.06, 0.04, 0.02)).value();
     const Digest key = key_of_levels(box);
     const Bytes bytes = encode(*make_levels(box), key);
-    for (std::size_t n = 0; n < bytes.size(); ++n) {
-        REQUIRE_FALSE(decode_contact_levels(std::span(bytes).first(n), key));
-        Bytes flipped = bytes;
-        flipped[n] ^= std::byte{16};
-        REQUIRE_FALSE(decode_contact_levels(flipped, key));
-    }
-    Bytes longer = bytes;
-    longer.push_back(std::byte{0});
-    CHECK_FALSE(decode_contact_levels(longer, key));
+    test::check_sealed(bytes, [&](std::span<const std::byte> some) {
+        return decode_contact_levels(some, key).has_value();
+    });
     CHECK_FALSE(decode_contact_levels(bytes, key_of_levels(gear())));
     CHECK_FALSE(decode_pointshell(bytes, key));
     // Whole, under its key, and not round this mesh.
@@ -127,94 +113,72 @@ TEST_CASE("level bytes: what is cut off, longer, changed, or of another mesh is 
 }
 
 TEST_CASE("level bytes: levels that no maker makes are refused, their checksum right or not") {
-    const TriangleMesh mesh = gear();
-    const Levels made = make_levels(mesh);
-    const Digest key = key_of_levels(mesh);
-    const Bytes bytes = encode(*made, key);
-    const std::size_t n_nodes = made->nodes().size();
-    const std::size_t nodes_at = kPayloadAt + kNodesAt;
-    const std::size_t spans_at = nodes_at + n_nodes * kNodeBytes;
-    const auto refuses = [&](std::size_t at, auto value) {
-        return !decode_contact_levels(with_mended(bytes, at, value), key);
-    };
+    const GearBytes gear;
+    const std::size_t n_nodes = gear.made->nodes().size();
+    const LevelNode& root = gear.made->node(0);
     // The places are those of the layout.
-    REQUIRE(number_at<std::uint64_t>(bytes, kPayloadAt + kCountsAt) == n_nodes);
-    REQUIRE(number_at<std::int32_t>(bytes, nodes_at) == made->node(0).first_child);
-    REQUIRE(number_at<double>(bytes, nodes_at + 36) == made->node(0).radius_m);
-    REQUIRE(number_at<std::int32_t>(bytes, spans_at + 4) ==
-            static_cast<std::int32_t>(made->hull(0).points.size()));
+    REQUIRE(number_at<std::uint64_t>(gear.bytes, kPayloadAt + kCountsAt) == n_nodes);
+    REQUIRE(number_at<std::int32_t>(gear.bytes, kPayloadAt + kNodesAt) == root.first_child);
+    REQUIRE(number_at<double>(gear.bytes, kPayloadAt + kNodesAt + 36) == root.radius_m);
+    REQUIRE(number_at<std::int32_t>(gear.bytes, kPayloadAt + gear.spans_at + 4) ==
+            static_cast<std::int32_t>(gear.made->hull(0).points.size()));
+    const test::Mended mended(gear.bytes, [&](std::span<const std::byte> some) {
+        return decode_contact_levels(some, gear.key).has_value();
+    });
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double endless = std::numeric_limits<double>::infinity();
-    for (const double wrong : {nan, endless, -1.0, 0.0}) {
-        CHECK(refuses(kPayloadAt, wrong));                   // d
-        CHECK(refuses(kPayloadAt + kCountsAt - 26, wrong));  // size
-        CHECK(refuses(kPayloadAt + kCountsAt - 18, wrong));  // reach
+    // d, size and reach.
+    for (const std::size_t at : {std::size_t{0}, kCountsAt - 26, kCountsAt - 18}) {
+        mended.check_refused_at(at, nan, endless, -1.0, 0.0);
     }
-    CHECK(refuses(kPayloadAt + 8, std::int64_t{-1}));              // triangles of the report
-    CHECK(refuses(kPayloadAt + kCountsAt - 10, std::int32_t{0}));  // levels
-    CHECK(refuses(kPayloadAt + kCountsAt - 10, std::int32_t{2147483647}));
-    CHECK(refuses(kPayloadAt + kCountsAt - 6, made->n_pieces() + 1));
-    CHECK(refuses(kPayloadAt + kCountsAt - 1, std::uint8_t{2}));
-    for (std::size_t list = 0; list < 5; ++list) {
+    mended.check_refused_at(8, std::int64_t{-1});            // triangles of the report
+    mended.check_refused_at(kCountsAt - 10, 0, 2147483647);  // levels
+    mended.check_refused_at(kCountsAt - 6, gear.made->n_pieces() + 1);
+    mended.check_refused_at(kCountsAt - 1, std::uint8_t{2});
+    for (std::size_t at = kCountsAt; at < kNodesAt; at += 8) {
         for (const std::uint64_t n :
              {std::uint64_t{0}, std::uint64_t{1} << 60U, ~std::uint64_t{0}}) {
-            const std::size_t at = kPayloadAt + kCountsAt + 8 * list;
-            CHECK((number_at<std::uint64_t>(bytes, at) == n || refuses(at, n)));
+            CHECK((number_at<std::uint64_t>(gear.bytes, kPayloadAt + at) == n ||
+                   !mended.takes_at(at, n)));
         }
     }
     // A node that is its own child, one of nobody, one of two, before its parent, or of more than there are.
-    for (const std::int32_t first : {-1, 0, made->node(0).first_child + 1, 2147483647}) {
-        CHECK(refuses(nodes_at, first));
-    }
-    for (const std::int32_t n : {-1, 0, made->node(0).n_children + 1, 2147483647}) {
-        CHECK(refuses(nodes_at + 4, n));
-    }
-    CHECK(refuses(nodes_at + 8, std::int32_t{-1}));
-    CHECK(refuses(nodes_at + 8, std::int32_t{1000}));
+    mended.check_refused_at(kNodesAt, -1, 0, root.first_child + 1, 2147483647);
+    mended.check_refused_at(kNodesAt + 4, -1, 0, root.n_children + 1, 2147483647);
+    mended.check_refused_at(kNodesAt + 8, -1, 1000);
     for (std::size_t number = 0; number < 13; ++number) {
-        CHECK(refuses(nodes_at + 12 + 8 * number, nan));
-        CHECK(refuses(nodes_at + 12 + 8 * number, -1.0e40));
+        mended.check_refused_at(kNodesAt + 12 + 8 * number, nan, -1.0e40);
     }
-    for (const std::size_t finite : {std::size_t{0}, std::size_t{3}, std::size_t{4}, std::size_t{5},
-                                     std::size_t{7}, std::size_t{9}, std::size_t{12}}) {
-        CHECK(refuses(nodes_at + 12 + 8 * finite, endless));
+    for (const std::size_t finite : {0U, 3U, 4U, 5U, 7U, 9U, 12U}) {
+        mended.check_refused_at(kNodesAt + 12 + 8 * finite, endless);
     }
-    CHECK(refuses(nodes_at + 116, std::uint8_t{2}));
+    mended.check_refused_at(kNodesAt + 116, std::uint8_t{2});
     // Hulls of no point, or of points and triangles that are not there.
-    for (const std::int32_t n : {0, -1, 2147483647}) {
-        CHECK(refuses(spans_at + 4, n));
+    mended.check_refused_at(gear.spans_at + 4, 0, -1, 2147483647);
+    for (const std::size_t list : {0U, 1U, 2U}) {
+        mended.check_refused_at(gear.spans_at + 8 * list * n_nodes, -1);
     }
-    CHECK(refuses(spans_at, std::int32_t{-1}));
-    CHECK(refuses(spans_at + 8 * n_nodes, std::int32_t{-1}));
-    CHECK(refuses(spans_at + 16 * n_nodes, std::int32_t{-1}));
-    CHECK(refuses(spans_at + 24 * n_nodes, nan));  // a point
-    CHECK(refuses(spans_at + 24 * n_nodes, 1.0e300));
-    CHECK(refuses(bytes.size() - 36, std::int32_t{-1}));  // a triangle
-    CHECK(refuses(bytes.size() - 36, std::int32_t{1 << 30}));
+    mended.check_refused_at(gear.spans_at + 24 * n_nodes, nan, 1.0e300);        // a point
+    mended.check_refused_at(gear.bytes.size() - kPayloadAt - 36, -1, 1 << 30);  // a triangle
     // And what is within its range is taken.
-    CHECK_FALSE(refuses(nodes_at + 12 + 8 * 5, 1.0e-3));
+    CHECK(mended.takes_at(kNodesAt + 12 + 8 * 5, 1.0e-3));
 }
 
 TEST_CASE("level bytes: hulls that leave out what lies below them are not those of the mesh") {
-    const TriangleMesh ball = make_sphere(0.05, 12).value();
-    const TriangleMesh mesh = gear();
-    const Levels made = make_levels(mesh);
-    const Digest key = key_of_levels(mesh);
-    const Bytes bytes = encode(*made, key);
-    const std::size_t spans_at = kPayloadAt + kNodesAt + made->nodes().size() * kNodeBytes;
-    const auto fits = [&](const Bytes& changed) {
-        const auto back = decode_contact_levels(changed, key);
-        return back && can_be_of(**back, mesh);
-    };
-    CHECK(fits(bytes));
+    const GearBytes gear;
+    const test::Mended mended(gear.bytes, [&](std::span<const std::byte> some) {
+        const auto back = decode_contact_levels(some, gear.key);
+        return back && can_be_of(**back, gear.mesh);
+    });
     // The root has one corner less, or has it elsewhere; its sphere is smaller.
-    CHECK_FALSE(fits(with_mended(bytes, spans_at + 4,
-                                 static_cast<std::int32_t>(made->hull(0).points.size() - 1))));
-    CHECK_FALSE(fits(with_mended(bytes, spans_at + 24 * made->nodes().size(), 0.0)));
-    CHECK_FALSE(fits(with_mended(bytes, kPayloadAt + kNodesAt + 36, 0.01)));
+    const auto n_corners = static_cast<std::int32_t>(gear.made->hull(0).points.size());
+    mended.check_refused_at(gear.spans_at + 4, n_corners - 1);
+    mended.check_refused_at(gear.spans_at + 24 * gear.made->nodes().size(), 0.0);
+    mended.check_refused_at(kNodesAt + 36, 0.01);
     // A corner's neighbour that it has not.
-    const Levels many = make_levels(ball);
+    const Levels many = make_levels(make_sphere(0.05, 12).value());
     REQUIRE(many->hull(0).first_link.size() > kClimbFrom);
+    const Digest& key = gear.key;
     const Bytes linked = encode(*many, key);
     const std::size_t n_links = number_at<std::uint64_t>(linked, kPayloadAt + kCountsAt + 24);
     const std::size_t n_triangles = number_at<std::uint64_t>(linked, kPayloadAt + kCountsAt + 32);
@@ -230,13 +194,9 @@ TEST_CASE("level bytes: hulls that leave out what lies below them are not those 
 }
 
 TEST_CASE("level bytes: of a leaf that is another one again the mesh has the triangles no more") {
-    const TriangleMesh mesh = gear();
-    const Levels made = make_levels(mesh);
-    const Digest key = key_of_levels(mesh);
-    const Bytes bytes = encode(*made, key);
+    const GearBytes gear;
+    const Levels& made = gear.made;
     const std::size_t n_nodes = made->nodes().size();
-    const std::size_t nodes_at = kPayloadAt + kNodesAt;
-    const std::size_t spans_at = nodes_at + n_nodes * kNodeBytes;
     // Siblings, so that their parent's hull holds either, of as many triangles.
     const auto is_leaf = [&](std::int32_t node) { return made->node(node).n_children == 0; };
     std::int32_t first = -1;
@@ -252,17 +212,18 @@ TEST_CASE("level bytes: of a leaf that is another one again the mesh has the tri
     }
     REQUIRE(first >= 0);
     const auto other = static_cast<std::size_t>(first) + 1;
-    Bytes changed = with_mended(bytes, nodes_at + other * kNodeBytes + 36, 1.0);  // its sphere
+    // Its sphere, and its spans.
+    Bytes changed = with_mended(gear.bytes, kPayloadAt + kNodesAt + other * kNodeBytes + 36, 1.0);
     for (const std::size_t list : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-        const std::size_t at = spans_at + 8 * (list * n_nodes + other);
+        const std::size_t at = kPayloadAt + gear.spans_at + 8 * (list * n_nodes + other);
         for (const std::size_t number : {std::size_t{0}, std::size_t{4}}) {
-            const auto own = number_at<std::int32_t>(bytes, at - 8 + number);
+            const auto own = number_at<std::int32_t>(gear.bytes, at - 8 + number);
             changed = with_mended(changed, at + number, own);
         }
     }
-    const auto back = decode_contact_levels(changed, key);
+    const auto back = decode_contact_levels(changed, gear.key);
     REQUIRE(back);
-    CHECK_FALSE(can_be_of(**back, mesh));
+    CHECK_FALSE(can_be_of(**back, gear.mesh));
 }
 
 }  // namespace

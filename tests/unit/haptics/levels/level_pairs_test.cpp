@@ -3,6 +3,9 @@
 #include "haptics/continuous/nearest_features.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/level_parts.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,22 +17,19 @@
 #include <vector>
 
 using namespace fulcrum;
+using test::find_push;
+using test::kRounding_m;
+using test::Levels;
+using test::make_lumps;
+using test::make_pairs;
 
 namespace {
 
 constexpr double kWithin_m = 0.05;
-constexpr double kRounding_m = 2.0e-7;              // slack of pieces, a ten-millionth of the size
 constexpr double kNeighbour_m = 2.0 * kRounding_m;  // where a neighbour's patch tells of a border
 
-using Levels = std::shared_ptr<const ContactLevels>;
-
 Levels make_levels(const TriangleMesh& mesh, double within_m = kWithin_m) {
-    return ContactLevels::create(mesh, {.within_m = within_m}).value();
-}
-
-std::unique_ptr<LevelPairs> make_pairs(const Levels& object, const Levels& tool,
-                                       const LevelPairSettings& settings = {}) {
-    return LevelPairs::create(object, tool, settings).value();
+    return test::make_levels(mesh, within_m);
 }
 
 double find_gap_of_spheres(const Triangle& a, const Triangle& b) {
@@ -77,15 +77,6 @@ double find_deepest_m(const LevelPairs& pairs) {
         most_m = std::max(most_m, contact.depth_m);
     }
     return most_m;
-}
-
-// Where all contacts together push.
-Vector3 find_push(const LevelPairs& pairs) {
-    Vector3 push = Vector3::Zero();
-    for (const LevelContact& contact : pairs.contacts()) {
-        push += std::max(contact.depth_m, 0.0) * contact.normal_O;
-    }
-    return push;
 }
 
 // Bodies of 0.1 m some way apart.
@@ -213,8 +204,8 @@ TEST_CASE(
 TEST_CASE("level pairs: the source's condition alone takes patches that stand out by more") {
     constexpr double kNear_m = 5.0e-3;
     constexpr double kTolerance_m = 2.0e-3;
-    const Levels levels = make_levels(make_bumpy_sphere(0.05, 20, 0.02, 100.0).value(), kNear_m);
-    const Pose X_OT{{0.0, 0.102, 0.0}, compute_exp(Vector3(0.2, 0.4, 0.1))};
+    const Levels levels = make_lumps(kNear_m);
+    const Pose X_OT = test::kLumpsApart;
     const auto exact = make_pairs(levels, levels);
     const double nearest_m = exact->find(X_OT, kNear_m).nearest_m;
     const auto ours = make_pairs(levels, levels, {.tolerance_m = kTolerance_m});
@@ -297,8 +288,8 @@ TEST_CASE(
     "level pairs: coarser is less work and fewer contacts, none of them farther than what is "
     "nearest") {
     constexpr double kNear_m = 5.0e-3;
-    const Levels levels = make_levels(make_bumpy_sphere(0.05, 20, 0.02, 100.0).value(), kNear_m);
-    const Pose X_OT{{0.0, 0.102, 0.0}, compute_exp(Vector3(0.2, 0.4, 0.1))};
+    const Levels levels = make_lumps(kNear_m);
+    const Pose X_OT = test::kLumpsApart;
     int last = 1 << 30;
     std::size_t last_contacts = 1 << 30;
     const auto exact = make_pairs(levels, levels);
@@ -318,7 +309,7 @@ TEST_CASE(
 }
 
 TEST_CASE("level pairs: where it is deep inside, a tolerance lets nothing through") {
-    const Levels levels = make_levels(make_bumpy_sphere(0.05, 20, 0.02, 100.0).value(), 1.0e-3);
+    const Levels levels = make_lumps(1.0e-3);
     const auto exact = make_pairs(levels, levels);
     for (const double tolerance_m : {1.0e-3, 0.04}) {
         const auto coarse = make_pairs(levels, levels, {.tolerance_m = tolerance_m});
@@ -345,12 +336,7 @@ TEST_CASE("level pairs: where there is no room for all pairs, it says so and goe
 }
 
 TEST_CASE("level pairs: broken meshes and poses that are none do no harm") {
-    const TriangleMesh ball = make_sphere(0.05, 6).value();
-    std::vector<TriangleCorners> broken = ball.triangles();
-    std::swap(broken[3][0], broken[3][1]);
-    broken.push_back(broken[10]);
-    broken.erase(broken.begin() + 20);
-    const TriangleMesh mesh = TriangleMesh::build(ball.vertices_B(), broken).value();
+    const TriangleMesh mesh = test::make_broken(make_sphere(0.05, 6).value());
     const Levels levels = make_levels(mesh);
     const auto pairs = make_pairs(levels, levels);
     // Pieces are flat, so the distance is that of the triangles.
@@ -373,14 +359,14 @@ TEST_CASE("level pairs: what cannot be is refused in a sentence") {
     const Levels other = make_levels(make_sphere(0.05, 4).value(), 1.0e-3);
     CHECK_FALSE(LevelPairs::create(nullptr, ball));
     CHECK_FALSE(LevelPairs::create(ball, nullptr));
-    CHECK(to_sentence(LevelPairs::create(ball, other).error()).find("within_m") !=
-          std::string::npos);
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    for (const LevelPairSettings& wrong :
-         {LevelPairSettings{.tolerance_m = -1.0}, LevelPairSettings{.tolerance_m = none},
-          LevelPairSettings{.budget_us = none}, LevelPairSettings{.budget_us = 1.0e7},
-          LevelPairSettings{.spread_m = 0.0}, LevelPairSettings{.most_pairs = 1},
-          LevelPairSettings{.most_contacts = 0}}) {
-        CHECK_FALSE(LevelPairs::create(ball, ball, wrong));
-    }
+    CHECK(test::is_refused(LevelPairs::create(ball, other), "within_m"));
+    test::check_refused(
+        LevelPairSettings{},
+        [&](const LevelPairSettings& settings) {
+            return LevelPairs::create(ball, ball, settings).has_value();
+        },
+        {[](auto& s) { s.tolerance_m = -1.0; }, [](auto& s) { s.tolerance_m = std::nan(""); },
+         [](auto& s) { s.budget_us = std::nan(""); }, [](auto& s) { s.budget_us = 1.0e7; },
+         [](auto& s) { s.spread_m = 0.0; }, [](auto& s) { s.most_pairs = 1; },
+         [](auto& s) { s.most_contacts = 0; }});
 }

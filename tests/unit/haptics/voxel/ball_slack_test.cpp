@@ -1,6 +1,6 @@
 #include "haptics/voxel/ball_slack.h"
 
-#include "haptics/geometry/shape.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -12,10 +12,7 @@ namespace {
 constexpr double kSingle = 1.0e-2;  // voxels
 
 const DistanceField& field() {
-    static const DistanceField kField = [] {
-        const TriangleMesh mesh = *make_bumpy_sphere(1.0, 16, 0.05, 12.0);
-        return DistanceField::build(mesh, DistanceField::make_frame(mesh, 128).value()).value();
-    }();
+    static const DistanceField kField = test::build_bumpy_field(128);
     return kField;
 }
 

@@ -1,19 +1,15 @@
-#include "haptics/geometry/shape.h"
-#include "haptics/voxel/distance_field.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/refused.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 using namespace fulcrum;
+using test::build_field;
 
 namespace {
-
-DistanceField build(const TriangleMesh& mesh, int n_along,
-                    const DistanceFieldSettings& settings = {}) {
-    return DistanceField::build(mesh, DistanceField::make_frame(mesh, n_along).value(), settings)
-        .value();
-}
 
 bool is_same(const DistanceField& a, const DistanceField& b) {
     const auto same_entry = [](const DistanceField::Entry& x, const DistanceField::Entry& y) {
@@ -74,11 +70,11 @@ TEST_CASE("distance field build: what would take minutes is refused, with voxels
     const double voxel_m = std::stod(advice.substr(advice.find("voxels") + 7));
     CHECK(voxel_m > 2.0 * frame.voxel_m);
     CHECK(voxel_m < 64.0 * frame.voxel_m);
-    CHECK(build(*make_heap(100, 1), 32).counts().n_open_edges == 300);
+    CHECK(build_field(*make_heap(100, 1), 32).counts().n_open_edges == 300);
 }
 
 TEST_CASE("distance field build: memory is that of the surface, not of the block") {
-    const DistanceField field = build(*make_sphere(1.0, 20), 128);
+    const DistanceField field = build_field(*make_sphere(1.0, 20), 128);
     CHECK(field.counts().n_open_edges == 0);
     CHECK(field.counts().n_bricks < 16 * 16 * 16 / 2);
     CHECK(field.memory_bytes() < 2UL * 3 * 128 * 128 * 128 / 5);
@@ -87,7 +83,7 @@ TEST_CASE("distance field build: memory is that of the surface, not of the block
 
 TEST_CASE("distance field build: doubled, loose and turned triangles have a ball's inside") {
     const TriangleMesh ball = *make_sphere(1.0, 16);
-    const DistanceField field = build(make_messy(ball, 0.0).value(), 64);
+    const DistanceField field = build_field(make_messy(ball, 0.0).value(), 64);
     CHECK(field.counts().n_open_edges > 0);
     Random random(8);
     for (int i = 0; i < 2000; ++i) {
@@ -102,7 +98,7 @@ TEST_CASE("distance field build: doubled, loose and turned triangles have a ball
 TEST_CASE("distance field build: a thin wall has an inside of its own") {
     const double thickness_m = 0.02;
     const TriangleMesh wall = *make_box({1.0, thickness_m, 1.0});
-    const DistanceField field = build(wall, 128);
+    const DistanceField field = build_field(wall, 128);
     CHECK(field.frame().voxel_m > 0.4 * thickness_m);
     CHECK(field.sample({0.1, 0.0, 0.2}).value_m < 0.0);
     CHECK(field.sample({0.1, 0.011, 0.2}).value_m > 0.0);
@@ -112,9 +108,8 @@ TEST_CASE("distance field build: a thin wall has an inside of its own") {
 TEST_CASE("distance field build: a sheet is |distance| less its half thickness, on both sides") {
     // A hollow ball: as a solid it is full, as a sheet it is a skin.
     const TriangleMesh ball = *make_sphere(1.0, 60);
-    const VoxelFrame frame = DistanceField::make_frame(ball, 64, 5.0).value();
-    const DistanceField sheet = DistanceField::build(ball, frame, {.sheet_voxels = 2.0}).value();
-    const double s = frame.voxel_m;
+    const DistanceField sheet = build_field(ball, 64, {.sheet_voxels = 2.0});
+    const double s = sheet.frame().voxel_m;
     CHECK(sheet.sheet_m() == Approx(2.0 * s));
     Random random(21);
     for (int i = 0; i < 5000; ++i) {

@@ -1,6 +1,6 @@
 #include "haptics/voxel/distance_field.h"
 
-#include "haptics/geometry/shape.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -15,10 +15,8 @@ struct Fixture {
     DistanceField field;
 };
 
-Fixture make(const TriangleMesh& mesh, int n_along, double band_voxels = 3.0) {
-    const VoxelFrame frame = DistanceField::make_frame(mesh, n_along, band_voxels).value();
-    return {mesh, TriangleClusters(mesh),
-            DistanceField::build(mesh, frame, {.band_voxels = band_voxels}).value()};
+Fixture make(const TriangleMesh& mesh, int n_along) {
+    return {mesh, TriangleClusters(mesh), test::build_field(mesh, n_along)};
 }
 
 const Fixture& bumpy() {

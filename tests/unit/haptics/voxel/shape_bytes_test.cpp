@@ -1,19 +1,24 @@
 #include "haptics/voxel/shape_bytes.h"
 
-#include "haptics/geometry/shape.h"
 #include "haptics/voxel/voxelise.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/field_parts.h"
+#include "tests/support/kept_bytes.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace fulcrum {
 namespace {
 
-constexpr std::size_t kPayloadAt = 56;
+using test::Mended;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 TriangleMesh ball() {
     return make_sphere(1.0, 3).value();
@@ -24,8 +29,7 @@ Digest key_of(ShapeKind kind) {
 }
 
 const DistanceField& field() {
-    static const DistanceField kField =
-        DistanceField::build(ball(), DistanceField::make_frame(ball(), 24).value()).value();
+    static const DistanceField kField = test::build_field(ball(), 24);
     return kField;
 }
 
@@ -33,19 +37,14 @@ const Digest kFieldKey = key_of(ShapeKind::distance_field);
 const Digest kGridKey = key_of(ShapeKind::voxel_grid);
 const Digest kShellKey = key_of(ShapeKind::pointshell);
 
-// Bytes that somebody changed and whose checksum was put right.
-Bytes mend(Bytes bytes) {
-    const std::size_t end = bytes.size() - sizeof(Digest);
-    const Digest checksum = compute_sha256(std::span(bytes).first(end));
-    std::memcpy(bytes.data() + end, checksum.data(), sizeof checksum);
-    return bytes;
+bool is_field(std::span<const std::byte> bytes) {
+    return decode_distance_field(bytes, kFieldKey).has_value();
 }
-
-template <class T>
-Bytes with(const Bytes& bytes, std::size_t at, T value) {
-    Bytes changed = bytes;
-    std::memcpy(changed.data() + at, &value, sizeof value);
-    return mend(std::move(changed));
+bool is_grid(std::span<const std::byte> bytes) {
+    return decode_voxel_grid(bytes, kGridKey).has_value();
+}
+bool is_shell(std::span<const std::byte> bytes) {
+    return decode_pointshell(bytes, kShellKey).has_value();
 }
 
 TEST_CASE("shape bytes: a distance field comes back the same in every question") {
@@ -75,15 +74,13 @@ TEST_CASE("shape bytes: a frame lies in the bytes axis by axis, and comes back s
     const DistanceField made =
         DistanceField::build(box, frame, {.band_voxels = 3.0, .sheet_voxels = 1.25}).value();
     const Bytes bytes = encode(made, kFieldKey);
-    const auto number_at = [&](std::size_t at, auto number) {
-        std::memcpy(&number, bytes.data() + kPayloadAt + at, sizeof number);
-        return number;
-    };
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        CHECK(number_at(8 * axis, 0.0) == frame.lower_O[static_cast<Index>(axis)]);
-        CHECK(number_at(32 + 4 * axis, std::int32_t{0}) == frame.n_cells[axis]);
+        CHECK(test::number_at<double>(bytes, test::kPayloadAt + 8 * axis) ==
+              frame.lower_O[static_cast<Index>(axis)]);
+        CHECK(test::number_at<std::int32_t>(bytes, test::kPayloadAt + 32 + 4 * axis) ==
+              frame.n_cells[axis]);
     }
-    CHECK(number_at(24, 0.0) == frame.voxel_m);
+    CHECK(test::number_at<double>(bytes, test::kPayloadAt + 24) == frame.voxel_m);
     const auto back = decode_distance_field(bytes, kFieldKey);
     REQUIRE(back);
     CHECK(back->frame().lower_O == frame.lower_O);
@@ -116,10 +113,7 @@ TEST_CASE("shape bytes: voxels and pointshells come back the same") {
 
 // A box without one of its triangles: a membrane closes the hole, and F jumps there from one end of the band to the other.
 TriangleMesh open_box() {
-    const TriangleMesh box = make_box({1.0, 0.7, 0.8}).value();
-    std::vector<TriangleCorners> triangles = box.triangles();
-    triangles.pop_back();
-    return TriangleMesh::build(box.vertices_B(), triangles).value();
+    return test::take_first(make_box({1.0, 0.7, 0.8}).value(), -1);
 }
 
 TEST_CASE("shape bytes: the field of an open mesh comes back as well, and no steeper one") {
@@ -136,12 +130,9 @@ TEST_CASE("shape bytes: the field of an open mesh comes back as well, and no ste
         CHECK(back->slope_bound() == made.slope_bound());
         // 2 sqrt(3) b / s, with 1 % for 16 bits; without a membrane sqrt(3).
         const double most = (sheet_voxels == 0.0 ? 6.0 : 1.0) * std::sqrt(3.0);
-        const auto takes = [&](double slope) {
-            return decode_distance_field(with(bytes, kPayloadAt + 52, slope), kFieldKey)
-                .has_value();
-        };
-        CHECK(takes(most));
-        CHECK_FALSE(takes(1.02 * most));
+        const Mended mended(bytes, is_field);
+        CHECK(mended.takes_at(52, most));
+        mended.check_refused_at(52, 1.02 * most);
     }
 }
 
@@ -156,122 +147,83 @@ TEST_CASE("shape bytes: what a mesh encloses comes back the same; what no body h
     CHECK(back->moments.centre_B == solid.moments.centre_B);
     CHECK(back->moments.second_m5 == solid.moments.second_m5);
     CHECK(back->by_samples);
-    const auto refuses = [&](std::size_t at, auto value) {
-        return !decode_measured_solid(with(bytes, kPayloadAt + at, value), key);
+    const auto takes = [&](std::span<const std::byte> some) {
+        return decode_measured_solid(some, key).has_value();
     };
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const double volume : {nan, 0.0, -1.0, 1.0e300}) {
-        CHECK(refuses(0, volume));
-    }
-    CHECK(refuses(16, nan));
-    CHECK(refuses(16, 1.0e300));
-    CHECK(refuses(32, nan));
-    CHECK(refuses(32, -1.0));   // spread by less than nothing along x
-    CHECK(refuses(40, 100.0));  // other by x and y than by y and x
-    CHECK(refuses(104, std::uint8_t{2}));
-    CHECK_FALSE(refuses(104, std::uint8_t{0}));
-    CHECK_FALSE(decode_measured_solid(std::span(bytes).first(bytes.size() - 1), key));
+    const Mended mended(bytes, takes);
+    mended.check_refused_at(0, kNan, 0.0, -1.0, 1.0e300);  // volume
+    mended.check_refused_at(16, kNan, 1.0e300);
+    mended.check_refused_at(32, kNan, -1.0);  // spread by less than nothing along x
+    mended.check_refused_at(40, 100.0);       // other by x and y than by y and x
+    mended.check_refused_at(104, std::uint8_t{2});
+    CHECK(mended.takes_at(104, std::uint8_t{0}));
+    test::check_sealed(bytes, takes);
 }
 
 TEST_CASE("shape bytes: what is cut off, longer, or changed in any place is refused") {
     const Pointshell shell = make_surface_pointshell(ball(), 3).value();
     const Bytes bytes = encode(shell, kShellKey);
-    for (std::size_t n = 0; n < bytes.size(); ++n) {
-        REQUIRE_FALSE(decode_pointshell(std::span(bytes).first(n), kShellKey));
-        Bytes flipped = bytes;
-        flipped[n] ^= std::byte{16};
-        REQUIRE_FALSE(decode_pointshell(flipped, kShellKey));
-    }
-    Bytes longer = bytes;
-    longer.push_back(std::byte{0});
-    CHECK_FALSE(decode_pointshell(longer, kShellKey));
+    test::check_sealed(bytes, is_shell);
     // A version, a kind and a key that are not those asked for, with checksums put right.
-    CHECK_FALSE(decode_pointshell(with(bytes, 8, kShapeVersion + 1), kShellKey));
+    CHECK_FALSE(is_shell(test::with_mended(bytes, 8, kShapeVersion + 1)));
     CHECK_FALSE(decode_voxel_grid(bytes, kShellKey));
-    CHECK_FALSE(decode_pointshell(bytes, kGridKey));
     const auto refused = decode_pointshell(bytes, kGridKey);
+    REQUIRE_FALSE(refused);
     CHECK(to_sentence(refused.error()) ==
           "the kept shape is that of another mesh; it is made again.");
 }
 
 TEST_CASE(
     "shape bytes: a distance field that no build makes is refused, its checksum right or not") {
-    const Bytes bytes = encode(field(), kFieldKey);
-    const auto refuses = [&](std::size_t at, auto value) {
-        return !decode_distance_field(with(bytes, kPayloadAt + at, value), kFieldKey);
-    };
-    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Mended mended(encode(field(), kFieldKey), is_field);
     // Frame: lower corner, voxel, cells.
-    CHECK(refuses(0, nan));
-    CHECK(refuses(24, 0.0));
-    CHECK(refuses(24, -1.0));
+    mended.check_refused_at(24, 0.0, -1.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (const double lower : {nan, std::numeric_limits<double>::infinity(), -1.0e300}) {
-            CHECK(refuses(8 * axis, lower));
-        }
+        mended.check_refused_at(8 * axis, kNan, kEndless, -1.0e300);
         const std::int32_t n = field().frame().n_cells[axis];
-        for (const std::int32_t wrong : {0, -8, n - 8, n + 1, n + 8, 2147483640}) {
-            CHECK(refuses(32 + 4 * axis, wrong));
-        }
+        mended.check_refused_at(32 + 4 * axis, 0, -8, n - 8, n + 1, n + 8, 2147483640);
     }
     // Band, slope, counts, ball, sheet, number of bricks.
-    CHECK(refuses(44, nan));
-    CHECK(refuses(52, 2.0));
-    CHECK(refuses(52, 0.0));
-    CHECK(refuses(52, 0.999));
-    CHECK(refuses(52, nan));
-    CHECK(refuses(60, std::int64_t{-1}));
-    CHECK(refuses(60, field().counts().n_bricks + 1));
-    CHECK(refuses(76, nan));
-    CHECK(refuses(100, -1.0));
-    CHECK(refuses(108, nan));
-    CHECK(refuses(108, 0.4));
-    CHECK(refuses(116, std::uint64_t{1} << 60U));
-    CHECK(refuses(116, std::uint64_t{1}));
-    // Entries: a brick that is not there, a distance that is no number; bricks: +b, -b, a value below all.
-    CHECK(refuses(124, std::int32_t{-1}));
-    CHECK(refuses(124, std::int32_t{1000000}));
-    CHECK(refuses(128, std::numeric_limits<float>::infinity()));
+    mended.check_refused_at(44, kNan);
+    mended.check_refused_at(52, 2.0, 0.0, 0.999, kNan);
+    mended.check_refused_at(60, std::int64_t{-1}, field().counts().n_bricks + 1);
+    mended.check_refused_at(76, kNan);
+    mended.check_refused_at(100, -1.0);
+    mended.check_refused_at(108, kNan, 0.4);
+    mended.check_refused_at(116, std::uint64_t{1} << 60U, std::uint64_t{1});
+    // Entries: a brick that is not there, a distance that is no number or larger than the block.
+    mended.check_refused_at(124, -1, 1000000);
+    mended.check_refused_at(128, std::numeric_limits<float>::infinity(), 1000.0F, -1000.0F);
+    // Bricks: +b, -b, a value below all.
     const auto [nx, ny, nz] = field().n_bricks();
     const std::size_t bricks_at = 124 + 8 * (static_cast<std::size_t>(nx * ny * nz) + 1);
-    CHECK(refuses(bricks_at - 8, std::int32_t{1}));
-    CHECK(refuses(bricks_at, std::int16_t{0}));
-    CHECK(refuses(bricks_at + sizeof(DistanceField::Brick), std::int16_t{0}));
-    CHECK(refuses(bricks_at + 2 * sizeof(DistanceField::Brick), std::int16_t{-32768}));
-    const std::size_t depths_at =
-        bricks_at + field().bricks().size() * sizeof(DistanceField::Brick);
+    constexpr std::size_t kBrick = sizeof(DistanceField::Brick);
+    mended.check_refused_at(bricks_at - 8, 1);
+    mended.check_refused_at(bricks_at, std::int16_t{0});
+    mended.check_refused_at(bricks_at + kBrick, std::int16_t{0});
+    mended.check_refused_at(bricks_at + 2 * kBrick, std::int16_t{-32768});
     // A corner is outside, the middle inside; nothing is farther from the mesh than the block is long, and the entry says no more.
+    const std::size_t depths_at = bricks_at + field().bricks().size() * kBrick;
     const std::size_t n = field().depths().size();
     const std::size_t inner = static_cast<std::size_t>(((nz / 2) * ny + ny / 2) * nx + nx / 2);
     REQUIRE(field().depths()[0] < 0.0F);
     REQUIRE(field().depths()[inner] > 0.0F);
-    CHECK(refuses(depths_at, std::numeric_limits<float>::quiet_NaN()));
-    CHECK(refuses(depths_at, std::numeric_limits<float>::infinity()));
-    CHECK(refuses(depths_at, 0.0F));
-    CHECK(refuses(depths_at + 4 * inner, 1000.0F));
-    CHECK(refuses(depths_at + 4 * inner, 0.5F * field().depths()[inner]));
-    CHECK(refuses(depths_at + 4 * inner, -1.0F));
-    CHECK(refuses(depths_at + 4 * (n - 1), std::numeric_limits<float>::quiet_NaN()));
-    CHECK(refuses(128, 1000.0F));
-    CHECK(refuses(128, -1000.0F));
+    mended.check_refused_at(depths_at, kNone, std::numeric_limits<float>::infinity(), 0.0F);
+    mended.check_refused_at(depths_at + 4 * inner, 1000.0F, 0.5F * field().depths()[inner], -1.0F);
+    mended.check_refused_at(depths_at + 4 * (n - 1), kNone);
     // And what is within its range is taken.
-    CHECK_FALSE(refuses(bricks_at + 2 * sizeof(DistanceField::Brick), std::int16_t{5}));
+    CHECK(mended.takes_at(bricks_at + 2 * kBrick, std::int16_t{5}));
 }
 
 TEST_CASE("shape bytes: voxels that fill too little or too much are refused") {
     VoxelGrid grid;
     grid.frame.n_cells = {2, 2, 2};
     grid.cells.assign(8, VoxelClass::free);
-    const Bytes bytes = encode(grid, kGridKey);
-    CHECK(decode_voxel_grid(bytes, kGridKey));
-    const std::size_t run_at = kPayloadAt + 44;
-    for (const std::uint32_t run : {0U, 7U << 2U, 9U << 2U, 0xFFFFFFFFU}) {
-        CHECK_FALSE(decode_voxel_grid(with(bytes, run_at, run), kGridKey));
-    }
-    CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt + 32, std::int32_t{513}), kGridKey));
-    CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt + 32, std::int32_t{-2}), kGridKey));
-    CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt + 24, 0.0), kGridKey));
-    CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt, 1.0e300), kGridKey));
+    const Mended mended(encode(grid, kGridKey), is_grid);
+    mended.check_refused_at(44, 0U, 7U << 2U, 9U << 2U, 0xFFFFFFFFU);  // a run's length
+    mended.check_refused_at(32, 513, -2);
+    mended.check_refused_at(24, 0.0);
+    mended.check_refused_at(0, 1.0e300);
 }
 
 TEST_CASE("shape bytes: points that are nowhere and normals that are no directions are refused") {
@@ -279,18 +231,17 @@ TEST_CASE("shape bytes: points that are nowhere and normals that are no directio
     const auto refuses = [&](std::vector<float> Pointshell::*values, float value) {
         Pointshell shell = whole;
         (shell.*values)[1] = value;
-        return !decode_pointshell(encode(shell, kShellKey), kShellKey);
+        return !is_shell(encode(shell, kShellKey));
     };
-    const float none = std::numeric_limits<float>::quiet_NaN();
     CHECK_FALSE(refuses(&Pointshell::x_m, 0.25F));
-    CHECK(refuses(&Pointshell::x_m, none));
+    CHECK(refuses(&Pointshell::x_m, kNone));
     CHECK(refuses(&Pointshell::z_m, 1.0e30F));
-    CHECK(refuses(&Pointshell::ny, none));
+    CHECK(refuses(&Pointshell::ny, kNone));
     CHECK(refuses(&Pointshell::nx, whole.nx[1] + 0.01F));
     Pointshell zero = whole;
     zero.nx[0] = zero.ny[0] = zero.nz[0] = 0.0F;
-    CHECK_FALSE(decode_pointshell(encode(zero, kShellKey), kShellKey));
-    CHECK_FALSE(decode_pointshell(encode(Pointshell{}, kShellKey), kShellKey));
+    CHECK_FALSE(is_shell(encode(zero, kShellKey)));
+    CHECK_FALSE(is_shell(encode(Pointshell{}, kShellKey)));
 }
 
 TEST_CASE("shape bytes: a key is that of kind, mesh and settings alone") {

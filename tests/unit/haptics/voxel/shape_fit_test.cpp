@@ -1,8 +1,9 @@
 #include "haptics/voxel/shape_fit.h"
 
 #include "haptics/dynamics/mesh_inertia.h"
-#include "haptics/geometry/shape.h"
 #include "haptics/voxel/voxelise.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/hard_meshes.h"
 
 #include <catch2/catch.hpp>
@@ -14,33 +15,15 @@ using namespace fulcrum;
 
 namespace {
 
-TriangleMesh without_top(const TriangleMesh& mesh) {
-    std::vector<TriangleCorners> kept;
-    for (const TriangleCorners& t : mesh.triangles()) {
-        if (mesh.vertices_B()[static_cast<std::size_t>(t[0])].y() < 0.7) {
-            kept.push_back(t);
-        }
-    }
-    return TriangleMesh::build(mesh.vertices_B(), kept).value();
-}
-
-TriangleMesh moved(const TriangleMesh& mesh, const Vector3& way) {
-    std::vector<Vector3> vertices = mesh.vertices_B();
-    for (Vector3& vertex : vertices) {
-        vertex += way;
-    }
-    return TriangleMesh::build(vertices, mesh.triangles(), {.weld_relative = 0.0}).value();
-}
-
 // Closed, open, of loose and turned triangles, crossing itself, thin, far away.
 std::vector<TriangleMesh> list_meshes() {
     const TriangleMesh ball = *make_sphere(1.0, 12);
     return {ball,
-            without_top(ball),
+            test::take_away(ball, [](const Vector3& middle) { return middle.y() > 0.7; }),
             *make_messy(ball, 0.0),
             *make_heap(40, 2),
             *make_box({1.0, 0.02, 1.0}),
-            moved(*make_box({0.3, 0.2, 0.1}), {700.0, -50.0, 3.0}),
+            test::shift(*make_box({0.3, 0.2, 0.1}), {700.0, -50.0, 3.0}),
             *make_hollow(*make_box({1.0, 1.0, 1.0}), *make_box({0.5, 0.5, 0.5}))};
 }
 
@@ -50,10 +33,7 @@ VoxelGrid voxels_of(const TriangleMesh& mesh, int offset_layers = 1) {
 }
 
 DistanceField field_of(const TriangleMesh& mesh, double sheet_voxels = 0.0) {
-    return DistanceField::build(mesh,
-                                DistanceField::make_frame(mesh, 32, 4.0 + sheet_voxels).value(),
-                                {.band_voxels = 4.0, .sheet_voxels = sheet_voxels})
-        .value();
+    return test::build_field(mesh, 32, {.band_voxels = 4.0, .sheet_voxels = sheet_voxels});
 }
 
 }  // namespace
@@ -78,7 +58,7 @@ TEST_CASE("shape fit: what is made of a mesh can be that of it, whatever the mes
 TEST_CASE("shape fit: what is made of another mesh cannot, where its size or its place tells") {
     const TriangleMesh ball = *make_sphere(1.0, 12);
     for (const TriangleMesh& other :
-         {*make_sphere(0.7, 12), *make_sphere(1.4, 12), moved(ball, {0.4, 0.0, 0.0})}) {
+         {*make_sphere(0.7, 12), *make_sphere(1.4, 12), test::shift(ball, {0.4, 0.0, 0.0})}) {
         CHECK_FALSE(can_be_of(field_of(other), ball));
         CHECK_FALSE(can_be_of(field_of(other, 2.0), ball));
         CHECK_FALSE(can_be_of(*measure_solid(other), ball));

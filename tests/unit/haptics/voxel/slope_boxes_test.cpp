@@ -1,6 +1,7 @@
 #include "haptics/voxel/slope_boxes.h"
 
-#include "haptics/geometry/shape.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -17,16 +18,12 @@ std::array<float, 3> to_floats(const Vector3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-DistanceField make_field(const TriangleMesh& mesh) {
-    return DistanceField::build(mesh, DistanceField::make_frame(mesh, 64).value()).value();
-}
-
 }  // namespace
 
 TEST_CASE("slope boxes: no way within the box falls faster than they say") {
     for (const TriangleMesh& mesh :
          {make_bumpy_sphere(1.0, 16, 0.1, 9.0).value(), make_box({1.0, 0.7, 0.3}).value()}) {
-        const DistanceField field = make_field(mesh);
+        const DistanceField field = test::build_field(mesh, 64);
         const SlopeBoxes boxes(field);
         const double voxel_m = field.frame().voxel_m;
         Random random(2);
@@ -53,11 +50,8 @@ TEST_CASE("slope boxes: no way within the box falls faster than they say") {
 
 TEST_CASE("slope boxes: over a hole no way is known not to fall, beside it all is as ever") {
     const TriangleMesh box = make_box({1.0, 1.0, 1.0}).value();
-    std::vector<TriangleCorners> triangles = box.triangles();
-    const TriangleCorners hole = triangles.back();
-    triangles.pop_back();
-    const DistanceField field =
-        make_field(TriangleMesh::build(box.vertices_B(), triangles).value());
+    const TriangleCorners hole = box.triangles().back();
+    const DistanceField field = test::build_field(test::take_first(box, -1), 64);
     const SlopeBoxes boxes(field);
     const auto corner = [&](std::size_t i) {
         return box.vertices_B()[static_cast<std::size_t>(hole[i])];
@@ -76,7 +70,7 @@ TEST_CASE("slope boxes: over a hole no way is known not to fall, beside it all i
 }
 
 TEST_CASE("slope boxes: over a level face a way along it or out of it does not fall") {
-    const DistanceField field = make_field(make_box({1.0, 1.0, 1.0}).value());
+    const DistanceField field = test::build_field(make_box({1.0, 1.0, 1.0}).value(), 64);
     const SlopeBoxes boxes(field);
     const SlopeBox box = boxes.find(
         to_floats(field.frame().to_lattice({0.1, 0.5 + 0.5 * field.frame().voxel_m, 0.1})), 4.0F);

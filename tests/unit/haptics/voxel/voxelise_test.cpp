@@ -4,6 +4,7 @@
 #include "haptics/voxel/pointshell.h"
 #include "haptics/voxel/rasterise.h"
 #include "haptics/voxel/triangle_clusters.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
@@ -30,24 +31,6 @@ std::size_t count(const VoxelGrid& grid, VoxelClass kind) {
 CellRange all_of(const VoxelGrid& grid) {
     const auto [nx, ny, nz] = grid.frame.n_cells;
     return {{0, 0, 0}, {nx - 1, ny - 1, nz - 1}};
-}
-
-// The mesh without the triangles whose middle the predicate takes away.
-template <class Taken>
-TriangleMesh without(const TriangleMesh& mesh, Taken taken) {
-    std::vector<TriangleCorners> kept;
-    for (const TriangleCorners& t : mesh.triangles()) {
-        Vector3 middle = Vector3::Zero();
-        for (const std::int32_t corner : t) {
-            middle += mesh.vertices_B()[static_cast<std::size_t>(corner)] / 3.0;
-        }
-        if (!taken(middle)) {
-            kept.push_back(t);
-        }
-    }
-    return TriangleMesh::build(mesh.vertices_B(), kept,
-                               {.weld_relative = 0.0, .crack_relative = 0.0})
-        .value();
 }
 
 }  // namespace
@@ -148,8 +131,9 @@ TEST_CASE(
 }
 
 TEST_CASE("voxelise: a bowl has an inside that is free, and no voxel but its wall pushes") {
-    const auto bowl = without(make_sphere(0.05, 16).value(),
-                              [](const Vector3& middle) { return middle.y() > 0.0; });
+    const auto bowl = test::take_away(
+        make_sphere(0.05, 16).value(), [](const Vector3& middle) { return middle.y() > 0.0; },
+        test::kAsItIs);
     const VoxelGrid grid = make_grid(bowl, {.voxel_m = 0.004, .proximity_layers = 0});
     CHECK(grid.find_class(grid.frame.find_cell({0.0, -0.02, 0.0})) == VoxelClass::free);
     CHECK(grid.find_class(grid.frame.find_cell({0.0, -0.05, 0.0})) == VoxelClass::surface);
@@ -158,17 +142,8 @@ TEST_CASE("voxelise: a bowl has an inside that is free, and no voxel but its wal
 
 TEST_CASE("voxelise: a hollow that nothing reaches is inside") {
     // A ball in a ball: the shell between them and the hollow are both beyond the surface.
-    const auto outer = make_sphere(0.05, 12).value();
-    const auto inner = make_inverted(make_sphere(0.025, 12).value()).value();
-    std::vector<Vector3> corners = outer.vertices_B();
-    std::vector<TriangleCorners> triangles = outer.triangles();
-    const auto n = static_cast<std::int32_t>(corners.size());
-    corners.insert(corners.end(), inner.vertices_B().begin(), inner.vertices_B().end());
-    for (const auto& [a, b, c] : inner.triangles()) {
-        triangles.push_back({a + n, b + n, c + n});
-    }
-    const VoxelGrid grid =
-        make_grid(TriangleMesh::build(corners, triangles).value(), {.voxel_m = 0.004});
+    const auto hollow = make_hollow(*make_sphere(0.05, 12), *make_sphere(0.025, 12)).value();
+    const VoxelGrid grid = make_grid(hollow, {.voxel_m = 0.004});
     CHECK(grid.find_class(grid.frame.find_cell(Vector3::Zero())) == VoxelClass::interior);
     CHECK(grid.find_class(grid.frame.find_cell({0.0, 0.0375, 0.0})) == VoxelClass::interior);
 }

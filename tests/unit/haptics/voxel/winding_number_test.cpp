@@ -1,6 +1,7 @@
 #include "haptics/voxel/winding_number.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
@@ -15,16 +16,6 @@ namespace {
 constexpr double kExact = 1.0e9;     // an opening that no cluster reaches
 constexpr double kRounding = 1e-12;  // of a few thousand arctangents
 constexpr double kDipoles = 0.02;    // what the header promises of the default opening
-
-TriangleMesh without_top(const TriangleMesh& mesh, double height_m) {
-    std::vector<TriangleCorners> kept;
-    for (const TriangleCorners& t : mesh.triangles()) {
-        if (mesh.vertices_B()[static_cast<std::size_t>(t[0])].y() < height_m) {
-            kept.push_back(t);
-        }
-    }
-    return TriangleMesh::build(mesh.vertices_B(), kept).value();
-}
 
 }  // namespace
 
@@ -52,7 +43,8 @@ TEST_CASE("winding number: one inside a closed mesh and zero outside, exactly an
 }
 
 TEST_CASE("winding number: a ball that lost its cap is closed by the surface of one half") {
-    const TriangleMesh open = without_top(*make_sphere(1.0, 30), 0.8);
+    const TriangleMesh open = test::take_away(
+        *make_sphere(1.0, 30), [](const Vector3& middle) { return middle.y() > 0.8; });
     const TriangleClusters clusters(open);
     CHECK(is_wound_round(clusters, {0.0, 0.0, 0.0}));
     CHECK(is_wound_round(clusters, {0.0, 0.6, 0.0}));
@@ -81,12 +73,7 @@ TEST_CASE("winding number: doubled, loose and turned triangles leave a ball what
 }
 
 TEST_CASE("winding number: a mesh inside out encloses the same") {
-    TriangleMesh ball = *make_sphere(1.0, 8);
-    std::vector<TriangleCorners> turned = ball.triangles();
-    for (TriangleCorners& t : turned) {
-        std::swap(t[1], t[2]);
-    }
-    const TriangleClusters clusters(TriangleMesh::build(ball.vertices_B(), turned).value());
+    const TriangleClusters clusters(make_inverted(*make_sphere(1.0, 8)).value());
     CHECK(compute_winding_number(clusters, Vector3::Zero(), kExact) == Approx(-1.0));
     CHECK(is_wound_round(clusters, {0.3, 0.2, 0.1}));
     CHECK_FALSE(is_wound_round(clusters, {1.3, 0.2, 0.1}));
