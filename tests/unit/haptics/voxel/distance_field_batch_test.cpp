@@ -1,31 +1,38 @@
+// What the kernels sum (distance_field_batch.h), in every version that the processor has: forces, and how they change along slopes.
 #include "haptics/voxel/distance_field_batch.h"
 
-#include "haptics/geometry/shape.h"
-#include "haptics/voxel/pointshell.h"
+#include "haptics/tool/slope_sum.h"
+#include "haptics/voxel/distance_field_wide.h"
+#include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
 using namespace fulcrum;
+using test::points_of;
 
 namespace {
 
 constexpr double kPlaces = 2.5e-4;  // voxels: what the header says of single precision places
+constexpr std::size_t kLeaves = 40;
 
 const DistanceField& field() {
-    static const DistanceField kField = [] {
-        const TriangleMesh mesh = *make_bumpy_sphere(1.0, 16, 0.05, 12.0);
-        return DistanceField::build(mesh, DistanceField::make_frame(mesh, 80).value()).value();
-    }();
+    static const DistanceField kField = test::build_bumpy_field(80);
     return kField;
 }
 
-ShellPoints points_of(const Pointshell& shell) {
-    return {shell.x_m.data(), shell.y_m.data(), shell.z_m.data(),
-            shell.nx.data(),  shell.ny.data(),  shell.nz.data()};
+std::vector<const FieldKernels*> list_kernels() {
+    std::vector<const FieldKernels*> all;
+    std::ranges::copy_if(all_field_kernels(), std::back_inserter(all),
+                         [](const FieldKernels* one) { return one != nullptr; });
+    return all;
 }
 
 // A ball that overlaps the bumpy one, in a number of points that fills no leaf.
@@ -33,8 +40,26 @@ Pointshell make_tool() {
     return make_surface_pointshell(*make_sphere(0.5, 12), 3011).value();
 }
 
+// The same ball in whole leaves.
+Pointshell make_points() {
+    Pointshell shell =
+        make_surface_pointshell(*make_sphere(0.5, 12), kLeaves * kLeafPoints).value();
+    while (shell.size() < kLeaves * kLeafPoints) {
+        shell.add(shell.position_T(0), shell.normal_T(0));
+    }
+    return shell;
+}
+
+ShellPoints leaf_of(const Pointshell& shell, std::size_t leaf) {
+    return points_of(shell).from(kLeafPoints * leaf);
+}
+
 Pose draw_pose(Random& random) {
     return {(1.0 + 0.6 * random.uniform()) * random.direction(), random.turn(3.0)};
+}
+
+Pose draw_near_pose(Random& random, double most_m) {
+    return {(1.5 - most_m * random.uniform()) * random.direction(), random.turn(3.0)};
 }
 
 ContactSums sum_slowly(const Pose& X_OT, const Pointshell& shell, ForceAlong along) {
@@ -54,14 +79,56 @@ ContactSums sum_slowly(const Pose& X_OT, const Pointshell& shell, ForceAlong alo
     return sums;
 }
 
+ContactSums sum_along(const Pose& X_OT, const Pointshell& shell, ForceAlong along,
+                      const FieldKernels& kernels = best_field_kernels()) {
+    return sum_contacts(kernels, field(), X_OT, points_of(shell), shell.size(), along);
+}
+
+// How deep the point is, as the field itself says, in parts of the band.
+double find_depth(const Pose& X_OT, const Pointshell& shell, std::size_t i) {
+    return -field().sample(X_OT * shell.position_T(i)).value_m / field().band_m();
+}
+
+// Point by point, those that are no deeper than that part of the band.
+Matrix6 sum_one_by_one(const Pose& X_OT, const Pointshell& shell, std::size_t leaf, std::size_t n,
+                       double most_depth) {
+    SlopeSum sum;
+    for (std::size_t i = kLeafPoints * leaf; i < kLeafPoints * leaf + n; ++i) {
+        const Vector3 arm = X_OT.orientation * shell.position_T(i);
+        if (find_depth(X_OT, shell, i) <= most_depth) {
+            sum.add(field().sample_depth(X_OT.position + arm), arm);
+        }
+    }
+    Matrix6 all = Matrix6::Zero();
+    sum.add_to(all);
+    return all;
+}
+
+// Whether a point is too near to the border between the two laws to say on which side single precision has it.
+bool is_near_border(const Pose& X_OT, const Pointshell& shell, std::size_t leaf) {
+    for (std::size_t i = kLeafPoints * leaf; i < kLeafPoints * (leaf + 1); ++i) {
+        if (std::abs(find_depth(X_OT, shell, i) - DistanceField::kDeepFrom) < 1.0e-3) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Matrix6 to_slopes(const SlopeLanes& lanes) {
+    Matrix6 slopes = Matrix6::Zero();
+    SlopeLanes copy = lanes;
+    add_slope_lanes(field(), copy, slopes);
+    return slopes;
+}
+
 }  // namespace
 
 TEST_CASE(
     "distance field batch: values and slopes are the field's own, inside, outside and far off") {
     const Pointshell shell = make_tool();
     Random random(1);
-    for (const FieldKernels* kernels : all_field_kernels()) {
-        for (int k = 0; kernels != nullptr && k < 20; ++k) {
+    for (const FieldKernels* kernels : list_kernels()) {
+        for (int k = 0; k < 20; ++k) {
             const Pose X_OT = draw_pose(random);
             std::vector<float> values(shell.size(), 1.0e9F);
             std::array<std::vector<float>, 3> slopes;
@@ -95,8 +162,7 @@ TEST_CASE("distance field batch: sums are those of one point after the other") {
         for (int k = 0; k < 40; ++k) {
             const Pose X_OT = draw_pose(random);
             const ContactSums slow = sum_slowly(X_OT, shell, along);
-            const ContactSums sums = sum_contacts(best_field_kernels(), field(), X_OT,
-                                                  points_of(shell), shell.size(), along);
+            const ContactSums sums = sum_along(X_OT, shell, along);
             // Points nearer to the surface than places are exact may count or not.
             CHECK(std::abs(sums.n_touching - slow.n_touching) <= 2);
             const double margin = 2.0e-4 * (slow.force.norm() + 0.01);
@@ -106,9 +172,9 @@ TEST_CASE("distance field batch: sums are those of one point after the other") {
     }
 }
 
-TEST_CASE("distance field batch: all versions agree to the bit") {
-    const auto kernels = all_field_kernels();
-    if (kernels[1] == nullptr) {
+TEST_CASE("distance field batch: all versions agree to the bit, in sums and in slopes") {
+    const auto kernels = list_kernels();
+    if (kernels.size() < 2) {
         WARN("this processor has one version only");
         return;
     }
@@ -117,14 +183,32 @@ TEST_CASE("distance field batch: all versions agree to the bit") {
     for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
         for (int k = 0; k < 40; ++k) {
             const Pose X_OT = draw_pose(random);
-            const auto sum = [&](std::size_t which) {
-                return sum_contacts(*kernels[which], field(), X_OT, points_of(shell), shell.size(),
-                                    along);
-            };
-            CHECK(sum(0).force == sum(1).force);
-            CHECK(sum(0).torque == sum(1).torque);
-            CHECK(sum(0).n_touching == sum(1).n_touching);
+            const ContactSums plain = sum_along(X_OT, shell, along, *kernels[0]);
+            const ContactSums wide = sum_along(X_OT, shell, along, *kernels[1]);
+            CHECK(plain.force == wide.force);
+            CHECK(plain.torque == wide.torque);
+            CHECK(plain.n_touching == wide.n_touching);
         }
+    }
+    const Pointshell points = make_points();
+    Random near(4);
+    for (int k = 0; k < 100; ++k) {
+        const FieldPlace place(field(), draw_near_pose(near, 0.4));
+        std::array<SlopeLanes, 2> lanes;
+        std::array<std::uint32_t, 2> deep{};
+        for (std::size_t version = 0; version < 2; ++version) {
+            for (std::size_t leaf = 0; leaf < kLeaves; ++leaf) {
+                const std::uint32_t found =
+                    kernels[version]->sum_slopes(FieldView(field()), place, leaf_of(points, leaf),
+                                                 kLeafPoints - leaf % 3, lanes[version]);
+                deep[version] ^= std::rotl(found, static_cast<int>(leaf % 32));
+            }
+        }
+        REQUIRE(deep[0] == deep[1]);
+        REQUIRE(lanes[0].place == lanes[1].place);
+        REQUIRE(lanes[0].turn == lanes[1].turn);
+        REQUIRE(lanes[0].torque == lanes[1].torque);
+        REQUIRE(lanes[0].arm_force == lanes[1].arm_force);
     }
 }
 
@@ -144,9 +228,7 @@ TEST_CASE("distance field batch: along slopes no closed way gains energy, at any
             const double step = 2.0 * std::numbers::pi / kSteps;
             const Pose from = place(i * step);
             const Pose to = place((i + 1) * step);
-            const ContactSums sums =
-                sum_contacts(best_field_kernels(), field(), place((i + 0.5) * step),
-                             points_of(shell), shell.size(), ForceAlong::slopes);
+            const ContactSums sums = sum_along(place((i + 0.5) * step), shell, ForceAlong::slopes);
             const Vector3 turn = step * Vector3::UnitY();
             const double gained =
                 sums.force.dot(to.position - from.position) + sums.torque.dot(turn);
@@ -166,8 +248,7 @@ TEST_CASE("distance field batch: along normals the force is continuous where the
     constexpr double kStep_m = 1.0e-5;
     for (int i = 0; i < 4000; ++i) {
         const Pose X_OT = Pose::at({0.3 + i * kStep_m, 1.42, 0.2});
-        const ContactSums sums = sum_contacts(best_field_kernels(), field(), X_OT, points_of(shell),
-                                              shell.size(), ForceAlong::normals);
+        const ContactSums sums = sum_along(X_OT, shell, ForceAlong::normals);
         if (i > 0) {
             // Each point's depth changes by L a metre at most; single precision places come on top.
             const double places_m = 2.0 * kPlaces * field().frame().voxel_m;
@@ -196,10 +277,7 @@ TEST_CASE("distance field batch: hits are the numbers of those below zero") {
         }
     }
     REQUIRE(expected.size() > 10);
-    for (const FieldKernels* kernels : all_field_kernels()) {
-        if (kernels == nullptr) {
-            continue;
-        }
+    for (const FieldKernels* kernels : list_kernels()) {
         std::vector<std::int32_t> hits(values.size() + 1, -7);
         REQUIRE(kernels->collect_hits(values.data(), values.size(), hits.data()) ==
                 expected.size());
@@ -216,10 +294,88 @@ TEST_CASE("distance field batch: a place that is no number is free") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> xs(kLeafPoints, nan);
     const ShellPoints points{xs.data(), xs.data(), xs.data(), xs.data(), xs.data(), xs.data()};
-    for (const FieldKernels* kernels : all_field_kernels()) {
-        if (kernels != nullptr) {
-            CHECK(sum_contacts(*kernels, field(), Pose{}, points, kLeafPoints, ForceAlong::slopes)
-                      .n_touching == 0);
+    for (const FieldKernels* kernels : list_kernels()) {
+        CHECK(sum_contacts(*kernels, field(), Pose{}, points, kLeafPoints, ForceAlong::slopes)
+                  .n_touching == 0);
+    }
+}
+
+TEST_CASE(
+    "distance field slopes: sums in vectors are those point by point, in every part, and deep "
+    "points are told") {
+    const Pointshell shell = make_points();
+    Random random(3);
+    int n_shallow = 0;
+    int n_deep = 0;
+    for (const FieldKernels* kernels : list_kernels()) {
+        for (int k = 0; k < 1500; ++k) {
+            // A graze, or far in.
+            const Pose X_OT = draw_near_pose(random, k % 2 == 0 ? 0.1 : 0.6);
+            const FieldPlace place(field(), X_OT);
+            const std::size_t leaf = static_cast<std::size_t>(k) % (kLeaves);
+            const std::size_t n = k % 3 == 0 ? kLeafPoints : 1 + static_cast<std::size_t>(k) % 31;
+            if (is_near_border(X_OT, shell, leaf)) {
+                continue;
+            }
+            SlopeLanes lanes;
+            const std::uint32_t deep =
+                kernels->sum_slopes(FieldView(field()), place, leaf_of(shell, leaf), n, lanes);
+            std::uint32_t right_deep = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                const bool is_deep =
+                    find_depth(X_OT, shell, kLeafPoints * leaf + i) > DistanceField::kDeepFrom;
+                right_deep |= is_deep ? 1U << i : 0U;
+            }
+            REQUIRE(deep == right_deep);
+            const Matrix6 right = sum_one_by_one(X_OT, shell, leaf, n, DistanceField::kDeepFrom);
+            const Matrix6 slopes = to_slopes(lanes);
+            for (int row = 0; row < 6; row += 3) {
+                for (int column = 0; column < 6; column += 3) {
+                    // Single precision of places and sums, the latter over slopes of 1 and arms of half a metre. A point whose F
+                    // is 0 but for a rounding would count or not with all of its slope; none of these does.
+                    const Matrix3 off =
+                        slopes.block<3, 3>(row, column) - right.block<3, 3>(row, column);
+                    constexpr double kArm_m = 0.5;
+                    REQUIRE(off.norm() <
+                            2.0e-5 * static_cast<double>(n) * std::pow(kArm_m, (row + column) / 3));
+                }
+            }
+            n_shallow += right.topLeftCorner<3, 3>().norm() > 1.0 ? 1 : 0;
+            n_deep += deep != 0 ? 1 : 0;
         }
     }
+    CHECK(n_shallow > 50);
+    CHECK(n_deep > 50);
+}
+
+TEST_CASE("distance field slopes: what does not touch adds nothing, and added lanes are empty") {
+    const Pointshell shell = make_points();
+    for (const FieldKernels* kernels : list_kernels()) {
+        SlopeLanes lanes;
+        const auto sum_at = [&](double x_m) {
+            const FieldPlace place(field(), Pose::at({x_m, 0.0, 0.0}));
+            std::uint32_t deep = 0;
+            for (std::size_t leaf = 0; leaf < kLeaves; ++leaf) {
+                deep |= kernels->sum_slopes(FieldView(field()), place, leaf_of(shell, leaf),
+                                            kLeafPoints, lanes);
+            }
+            return deep;
+        };
+        CHECK(sum_at(4.0) == 0);
+        CHECK(to_slopes(lanes) == Matrix6::Zero());
+        (void)sum_at(1.45);
+        Matrix6 once = Matrix6::Zero();
+        add_slope_lanes(field(), lanes, once);
+        CHECK(once.norm() > 1.0);
+        Matrix6 again = once;
+        add_slope_lanes(field(), lanes, again);
+        CHECK(again == once);
+    }
+}
+
+TEST_CASE("distance field wide: taken where the processor has it, and the plain one elsewhere") {
+    const FieldKernels* const wide = find_wide_kernels();
+    CHECK(all_field_kernels()[0] != nullptr);
+    CHECK(all_field_kernels()[1] == wide);
+    CHECK(&best_field_kernels() == (wide != nullptr ? wide : all_field_kernels()[0]));
 }
