@@ -38,6 +38,11 @@ Wrench scaled(double factor, const Wrench& wrench) {
     return {factor * wrench.force, factor * wrench.torque};
 }
 
+// A hand that rests at the origin.
+Wrench step_still(LinearisedWrenchStage& stage, const LinearisedWrench& model, double now_s) {
+    return stage.step(model, Vector3::Zero(), Vector3::Zero(), now_s);
+}
+
 }  // namespace
 
 TEST_CASE("linearised wrench: F0 + K (x - x0) + B (v - v0), T0 + S (x - x0)") {
@@ -54,8 +59,7 @@ TEST_CASE("linearised wrench: F0 + K (x - x0) + B (v - v0), T0 + S (x - x0)") {
 
 TEST_CASE("linearised wrench: no answer yet, no force; after the blend the law holds") {
     LinearisedWrenchStage stage{LinearisedWrenchSettings{}};
-    CHECK(difference(stage.step(LinearisedWrench{}, Vector3::Zero(), Vector3::Zero(), 0.0),
-                     Wrench{}) == 0.0);
+    CHECK(difference(step_still(stage, LinearisedWrench{}, 0.0), Wrench{}) == 0.0);
     const LinearisedWrench model = make_model(0.001);
     const Vector3 x(0.12, 0.01, 0.0);
     const Vector3 v(0.0, 0.2, 0.4);
@@ -224,7 +228,7 @@ TEST_CASE("linearised wrench: a small change takes a sixtieth of a second, a lar
         model.torque_W = entry.answer.torque;
         model.stamp_s = 0.0;
         for (int k = 0; k <= 100; ++k) {
-            const Wrench wrench = stage.step(model, Vector3::Zero(), Vector3::Zero(), k * kDt_s);
+            const Wrench wrench = step_still(stage, model, k * kDt_s);
             const double share = std::min(k * kDt_s / entry.blend_s, 1.0);
             REQUIRE(difference(wrench, scaled(share, entry.answer)) < 1e-9);
         }
@@ -249,7 +253,7 @@ TEST_CASE(
             model.torque_W *= -1.0;
             model.stiffness_N_per_m *= -1.0;
         }
-        const Wrench now = stage.step(model, Vector3::Zero(), Vector3::Zero(), now_s);
+        const Wrench now = step_still(stage, model, now_s);
         REQUIRE((now.force - before.force).norm() <= 50.0 / 960.0 + 1e-9);
         REQUIRE((now.torque - before.torque).norm() <= 3.0 / 960.0 + 1e-9);
         before = now;
@@ -274,7 +278,7 @@ TEST_CASE("linearised wrench: what was asked for beyond the limits has not to be
         model.stamp_s = k % 16 == 0 ? now_s : model.stamp_s;
         model.force_W = k < 2000 ? Vector3(3000.0, 4000.0, 0) : Vector3(Vector3::Zero());
         model.torque_W = k < 2000 ? Vector3(0, 0, 70.0) : Vector3(Vector3::Zero());
-        const Wrench wrench = stage.step(model, Vector3::Zero(), Vector3::Zero(), now_s);
+        const Wrench wrench = step_still(stage, model, now_s);
         REQUIRE(wrench.force.norm() <= 5.0 + 1e-9);
         REQUIRE(wrench.torque.norm() <= 0.3 + 1e-9);
         if (k == 1999) {
@@ -295,13 +299,11 @@ TEST_CASE("linearised wrench: an answer from the future waits for its time and k
         LinearisedWrench model;
         model.force_W = Vector3(0.5, 0, 0);
         model.stamp_s = stamp_s;
-        CHECK(difference(stage.step(model, Vector3::Zero(), Vector3::Zero(), 0.001), {}) == 0.0);
-        CHECK(difference(stage.step(LinearisedWrench{}, Vector3::Zero(), Vector3::Zero(), 0.9),
-                         {}) == 0.0);
+        CHECK(difference(step_still(stage, model, 0.001), {}) == 0.0);
+        CHECK(difference(step_still(stage, LinearisedWrench{}, 0.9), {}) == 0.0);
         model.stamp_s = 1.0;
-        (void)stage.step(model, Vector3::Zero(), Vector3::Zero(), 1.0);
-        CHECK((stage.step(model, Vector3::Zero(), Vector3::Zero(), 1.05).force - Vector3(0.5, 0, 0))
-                  .norm() < 1e-9);
+        (void)step_still(stage, model, 1.0);
+        CHECK((step_still(stage, model, 1.05).force - Vector3(0.5, 0, 0)).norm() < 1e-9);
     }
 }
 
@@ -316,7 +318,7 @@ TEST_CASE("linearised wrench: an answer that is old when it comes takes no force
             // From 0.2 s on each answer comes 149 ms late.
             model.stamp_s = std::max(now_s - (k < 200 ? 0.0 : 0.149), model.stamp_s);
         }
-        const double now_N = stage.step(model, Vector3::Zero(), Vector3::Zero(), now_s).force.x();
+        const double now_N = step_still(stage, model, now_s).force.x();
         REQUIRE(std::abs(now_N - before_N) <= (50.0 + 2.0 / 0.1) * kDt_s);
         before_N = now_N;
     }
@@ -364,7 +366,7 @@ TEST_CASE(
         for (int k = 0; k <= 500; ++k) {
             // 5 N at 50 N/s, four times as long.
             const double share = std::min(k * kDt_s / 0.4, 1.0);
-            REQUIRE(difference(stage.step(model, Vector3::Zero(), Vector3::Zero(), k * kDt_s),
+            REQUIRE(difference(step_still(stage, model, k * kDt_s),
                                {share * model.force_W, Vector3::Zero()}) < 1e-9);
         }
     }
@@ -376,7 +378,6 @@ TEST_CASE(
     model.force_W.x() = 1.0;
     model.stiffness_N_per_m(0, 0) = -1.0;
     for (int k = 0; k < 100; ++k) {
-        REQUIRE(difference(stage.step(model, Vector3::Zero(), Vector3::Zero(), k * kDt_s), {}) ==
-                0.0);
+        REQUIRE(difference(step_still(stage, model, k * kDt_s), {}) == 0.0);
     }
 }

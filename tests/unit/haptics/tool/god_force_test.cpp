@@ -29,6 +29,26 @@ void put_on_floor(GodForce& force) {
     }
 }
 
+// The next set of contacts, blended in beside something or with nothing near; what is felt before and after.
+struct Change {
+    Wrench before, after;
+    [[nodiscard]] double step_N() const { return (after.force - before.force).norm(); }
+};
+
+template <class Put>
+Change change_set(GodForce& force, const Pose& handle, Put put, bool is_near = true) {
+    const Wrench before = force.compute(handle);
+    put(force);
+    force.blend(before, handle, kDt_s, is_near);
+    return {before, force.compute(handle)};
+}
+
+void put_nothing(GodForce& force) {
+    force.begin(Pose{});
+}
+
+const Pose kPressed = Pose::at({0.0, -kDepth_m, 0.0});
+
 TEST_CASE(
     "god force: against a wall it is stiffness times depth, whatever share of the way a step "
     "goes; without contacts and beside them nothing") {
@@ -59,19 +79,16 @@ TEST_CASE(
     "god force: a new set of contacts goes on from the force of the one before, which fades as "
     "the exponential does") {
     GodForce force = make_force();
-    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
     force.begin(Pose{});
     const double whole_N = kStiffness * kDepth_m;
     double kept = 1.0;
     for (int i = 0; i < 100; ++i) {
-        const Wrench before = force.compute(handle);
-        put_on_floor(force);
-        force.blend(before, handle, kDt_s, true);
+        const double felt_N = change_set(force, kPressed, put_on_floor).after.force.y();
         kept *= std::exp(-kDt_s / kFade_s);
-        CHECK(force.compute(handle).force.y() == Approx(whole_N * (1.0 - kept)).epsilon(1.0e-9));
+        CHECK(felt_N == Approx(whole_N * (1.0 - kept)).epsilon(1.0e-9));
     }
     // What the handle changes comes at once.
-    const double now_N = force.compute(handle).force.y();
+    const double now_N = force.compute(kPressed).force.y();
     CHECK(force.compute(Pose::at({0.0, -kDepth_m - 0.001, 0.0})).force.y() ==
           Approx(now_N + kStiffness * 0.001));
 }
@@ -80,32 +97,28 @@ TEST_CASE("god force: a new set that pushes the other way, and less, goes on fro
     GodForce force = make_force();
     const Pose handle = Pose::at({0.0, -kDepth_m, 0.001});
     put_on_floor(force);
-    const Wrench before = force.compute(handle);
-    force.begin(Pose{});
-    REQUIRE(force.add({0.0, 0.0, 0.05}, -Vector3::UnitZ(), 0.0));
-    force.blend(before, handle, kDt_s, true);
+    const Change other = change_set(force, handle, [](GodForce& to) {
+        to.begin(Pose{});
+        REQUIRE(to.add({0.0, 0.0, 0.05}, -Vector3::UnitZ(), 0.0));
+    });
     const double kept = std::exp(-kDt_s / kFade_s);
     const Vector3 now = -kStiffness * 0.001 * Vector3::UnitZ();
-    CHECK((force.compute(handle).force - (now + kept * (before.force - now))).norm() < 1.0e-9);
+    CHECK((other.after.force - (now + kept * (other.before.force - now))).norm() < 1.0e-9);
     // Taken back, what is taken of the push goes with it.
     force.begin(Pose{});
     REQUIRE(force.add({0.0, 0.05, 0.0}, -kUp, -2.0 * kDepth_m));
     REQUIRE(force.add({0.0, -0.05, 0.0}, -kUp, -2.0 * kDepth_m));
-    const Wrench pushed = force.compute(handle);
-    force.begin(Pose::at({0.0, -kDepth_m - 0.0001, 0.001}));
-    REQUIRE(force.add({0.0, 0.05, 0.0}, -kUp, 0.0));
-    force.blend(pushed, handle, kDt_s, true);
-    CHECK((force.compute(handle).force - pushed.force).norm() <
-          1.01 * (1.0 - kept) * (pushed.force.norm() + kStiffness * 0.0001));
+    const Change back = change_set(force, handle, [](GodForce& to) {
+        to.begin(Pose::at({0.0, -kDepth_m - 0.0001, 0.001}));
+        REQUIRE(to.add({0.0, 0.05, 0.0}, -kUp, 0.0));
+    });
+    CHECK(back.step_N() < 1.01 * (1.0 - kept) * (back.before.force.norm() + kStiffness * 0.0001));
 }
 
 TEST_CASE("god force: lifted while a contact is still blended in, nothing pulls") {
     GodForce force = make_force();
-    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
     force.begin(Pose{});
-    const Wrench before = force.compute(handle);
-    put_on_floor(force);
-    force.blend(before, handle, kDt_s, true);
+    (void)change_set(force, kPressed, put_on_floor);
     for (int i = 0; i <= 30; ++i) {
         const Wrench felt = force.compute(Pose::at({0.0, -kDepth_m + 0.0002 * i, 0.0}));
         CHECK(felt.force.y() >= -1.0e-15);
@@ -117,33 +130,24 @@ TEST_CASE("god force: a loaded tool that nothing is near any more is felt not at
     GodForce force = make_force();
     const Pose handle{Vector3(0.0, -kDepth_m, 0.0), compute_exp(Vector3(0.1, 0.0, 0.0))};
     put_on_floor(force);
-    const Wrench before = force.compute(handle);
-    REQUIRE(before.force.norm() > 1.0);
-    REQUIRE(before.torque.norm() > 1.0e-3);
-    force.begin(Pose{});
-    force.blend(before, handle, kDt_s, false);
-    CHECK(force.compute(handle).force == Vector3::Zero());
-    CHECK(force.compute(handle).torque == Vector3::Zero());
+    const Change off = change_set(force, handle, put_nothing, false);
+    REQUIRE(off.before.force.norm() > 1.0);
+    REQUIRE(off.before.torque.norm() > 1.0e-3);
+    CHECK(off.after.force == Vector3::Zero());
+    CHECK(off.after.torque == Vector3::Zero());
     // Nothing of it comes back beside the next thing.
-    put_on_floor(force);
-    force.blend(force.compute(Pose{}), Pose{}, kDt_s, true);
-    CHECK(force.compute(Pose{}).force.norm() < 1.0e-12);
+    CHECK(change_set(force, Pose{}, put_on_floor).after.force.norm() < 1.0e-12);
 }
 
 TEST_CASE(
     "god force: a loaded tool that slips free beside something fades to nothing in 5 ms and the "
     "time of a fade") {
     GodForce force = make_force();
-    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
     put_on_floor(force);
-    const double pressed_N = force.compute(handle).force.norm();
-    double last_N = pressed_N;
-    double left_N = pressed_N;  // after 5 ms
+    double last_N = force.compute(kPressed).force.norm();
+    double left_N = last_N;  // after 5 ms
     for (int n = 1; n <= 40; ++n) {
-        const Wrench before = force.compute(handle);
-        force.begin(Pose{});
-        force.blend(before, handle, kDt_s, true);
-        const double now_N = force.compute(handle).force.norm();
+        const double now_N = change_set(force, kPressed, put_nothing).after.force.norm();
         CAPTURE(n);
         CHECK(now_N <= last_N);
         // As a set of contacts that is replaced fades; then evenly.
@@ -156,25 +160,16 @@ TEST_CASE(
     // At once where nothing is to fade.
     GodForce hard = make_force(0.5, 0.0);
     put_on_floor(hard);
-    const Wrench before = hard.compute(handle);
-    hard.begin(Pose{});
-    hard.blend(before, handle, kDt_s, true);
-    CHECK(hard.compute(handle).force == Vector3::Zero());
+    CHECK(change_set(hard, kPressed, put_nothing).after.force == Vector3::Zero());
 }
 
 TEST_CASE("god force: what touches again after a step fades as if it had not been free") {
     GodForce force = make_force();
-    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
     put_on_floor(force);
     for (int n = 0; n < 100; ++n) {
-        const Wrench before = force.compute(handle);
-        force.begin(Pose{});
-        if (n % 2 == 1) {
-            put_on_floor(force);
-        }
-        force.blend(before, handle, kDt_s, true);
-        const double change_N = (force.compute(handle).force - before.force).norm();
-        CHECK(change_N <= 1.01 * kStiffness * kDepth_m * kDt_s / kFade_s);
+        const auto put = n % 2 == 1 ? put_on_floor : put_nothing;
+        CHECK(change_set(force, kPressed, put).step_N() <=
+              1.01 * kStiffness * kDepth_m * kDt_s / kFade_s);
     }
 }
 

@@ -31,6 +31,17 @@ Pointshell one_point(const Vector3& place, const Vector3& normal, int copies = 1
     return shell;
 }
 
+RigidState moving(RigidState state, const Twist& velocity) {
+    state.velocity_W = velocity;
+    return state;
+}
+
+// What such points feel on the floor.
+VoxelContact find_contact(const Pointshell& shell, const VoxelSamplingSettings& settings,
+                          const RigidState& state) {
+    return make_sampling(shell, settings).sample(state, kStill);
+}
+
 bool is_zero(const Wrench& wrench) {
     return wrench.force == Vector3::Zero() && wrench.torque == Vector3::Zero();
 }
@@ -65,11 +76,11 @@ TEST_CASE(
     VoxelSamplingSettings settings = plain();
     const Pointshell shell = one_point(Vector3::Zero(), Vector3::UnitY());
     const RigidState above = at({0.005, -0.002, 0.005});
-    const VoxelContact contact = make_sampling(shell, settings).sample(above, kStill);
+    const VoxelContact contact = find_contact(shell, settings, above);
     CHECK(is_zero(contact.wrench_W));
     CHECK(contact.n_surface == 1);
     settings.plane = TangentPlane::both_sides;
-    CHECK(make_sampling(shell, settings).sample(above, kStill).wrench_W.force.y() ==
+    CHECK(find_contact(shell, settings, above).wrench_W.force.y() ==
           Approx(-100.0 * 0.003).epsilon(kExact));
 }
 
@@ -112,9 +123,7 @@ TEST_CASE("voxel sampling: beyond N contacts their sum counts as N; smoothly the
     VoxelSamplingSettings settings = plain();
     const auto push_N = [&settings](int n, double y = -0.0075) {
         const Pointshell shell = one_point(Vector3::Zero(), Vector3::UnitY(), n);
-        return make_sampling(shell, settings)
-            .sample(at({0.005, y, 0.005}), kStill)
-            .wrench_W.force.y();
+        return find_contact(shell, settings, at({0.005, y, 0.005})).wrench_W.force.y();
     };
     const double one_N = 0.25;  // 100 N/m at 2.5 mm
     CHECK(push_N(5) == Approx(5 * one_N).epsilon(kExact));
@@ -144,11 +153,9 @@ TEST_CASE("voxel sampling: brakes act while a point approaches, and only in prox
     settings.braking = PreContactBraking::viscous;
     settings.braking_Ns_per_m = 3.0;
     const Vector3 place(0.02, 0.0, 0.01);
-    const VoxelSampling sampling = make_sampling(one_point(place, Vector3::UnitY()), settings);
     const auto brake = [&](double y, const Twist& velocity) {
-        RigidState state = at(Vector3(0.005, y, 0.005) - place);
-        state.velocity_W = velocity;
-        return sampling.sample(state, kStill).wrench_W;
+        const RigidState state = moving(at(Vector3(0.005, y, 0.005) - place), velocity);
+        return find_contact(one_point(place, Vector3::UnitY()), settings, state).wrench_W;
     };
     // u = v + w x r, F = -b (-n.u/|u|) u.
     const Twist approaching{{0.3, -0.2, 0.1}, {0.5, 2.0, 1.0}};
@@ -165,11 +172,7 @@ TEST_CASE("voxel sampling: brakes act while a point approaches, and only in prox
     CHECK(is_zero(brake(0.015, approaching)));
     CHECK(is_zero(brake(-0.002, approaching)));
     settings.braking = PreContactBraking::off;
-    RigidState state = at(Vector3(0.005, 0.005, 0.005) - place);
-    state.velocity_W = approaching;
-    CHECK(is_zero(make_sampling(one_point(place, Vector3::UnitY()), settings)
-                      .sample(state, kStill)
-                      .wrench_W));
+    CHECK(is_zero(brake(0.005, approaching)));
 }
 
 TEST_CASE(
@@ -180,11 +183,10 @@ TEST_CASE(
     // A side's normal: its point leads a motion along x.
     const Pointshell leading = one_point(place, -Vector3::UnitX());
     const Pointshell below = one_point(place, Vector3::UnitY());
+    const RigidState near = at(Vector3::Constant(0.005) - place);  // in proximity, 5 mm up
     const auto brake = [&](const Pointshell& shell, double look_ahead, const Vector3& velocity) {
         settings.look_ahead_cycles = look_ahead;
-        RigidState state = at(Vector3(0.005, 0.005, 0.005) - place);  // in proximity, 5 mm up
-        state.velocity_W.linear = velocity;
-        return make_sampling(shell, settings).sample(state, kStill).wrench_W;
+        return find_contact(shell, settings, moving(near, {velocity, Vector3::Zero()})).wrench_W;
     };
     // Along the floor McNeely's brake pulls; looking ahead nothing does, nor while the way there takes longer than the look.
     const Vector3 along(0.5, 0.0, 0.0);
@@ -202,11 +204,10 @@ TEST_CASE(
     }
     // With derivatives the same.
     settings.look_ahead_cycles = 2.0;
-    RigidState state = at(Vector3(0.005, 0.005, 0.005) - place);
-    state.velocity_W.linear = along;
     WrenchJacobian jacobian;
-    CHECK(is_zero(
-        make_sampling(leading, settings).sample_linearised(state, kStill, jacobian).wrench_W));
+    CHECK(is_zero(make_sampling(leading, settings)
+                      .sample_linearised(moving(near, {along, Vector3::Zero()}), kStill, jacobian)
+                      .wrench_W));
     CHECK(jacobian.velocity.isZero());
     settings.look_ahead_cycles = -1.0;
     CHECK_FALSE(validate(settings));
@@ -220,11 +221,10 @@ TEST_CASE(
     settings.inertia.mass_kg = 0.02;
     settings.cycle_s = 0.0005;
     for (const int n : {1, 7, 500}) {
-        RigidState state = at({0.005, 0.005, 0.005});
-        state.velocity_W.linear = {0.1, -0.4, 0.2};
+        const RigidState state =
+            moving(at({0.005, 0.005, 0.005}), {{0.1, -0.4, 0.2}, Vector3::Zero()});
         const VoxelContact contact =
-            make_sampling(one_point(Vector3::Zero(), Vector3(0.1, 1.0, 0.0), n), settings)
-                .sample(state, kStill);
+            find_contact(one_point(Vector3::Zero(), Vector3(0.1, 1.0, 0.0), n), settings, state);
         const double taken_J =
             -contact.wrench_W.force.dot(state.velocity_W.linear) * settings.cycle_s;
         CHECK(taken_J ==
@@ -243,11 +243,10 @@ TEST_CASE(
         settings.braking_Ns_per_m = 1.0e4;
         for (const double arm_m : {0.0, 0.01, 0.06}) {
             const Vector3 place(arm_m, 0.0, 0.0);
-            RigidState state = at(Vector3(0.005, 0.005, 0.005) - place);
-            state.velocity_W = {{0.1, -0.4, 0.05}, {0.0, 1.0, -2.0}};
-            const Wrench brake = make_sampling(one_point(place, Vector3::UnitY(), 40), settings)
-                                     .sample(state, kStill)
-                                     .wrench_W;
+            const RigidState state =
+                moving(at(Vector3::Constant(0.005) - place), {{0.1, -0.4, 0.05}, {0.0, 1.0, -2.0}});
+            const Wrench brake =
+                find_contact(one_point(place, Vector3::UnitY(), 40), settings, state).wrench_W;
             // One explicit step: less energy, and none where all of it was along the brake.
             RigidState next = state;
             const Inertia& inertia = settings.inertia;
