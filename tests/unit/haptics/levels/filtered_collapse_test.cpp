@@ -36,9 +36,7 @@ void check_convex(LevelSurface& surface, double slack_m) {
 
 }  // namespace
 
-TEST_CASE(
-    "filtered collapse: down to half and half of the pieces the surface stays closed and of convex "
-    "pieces") {
+TEST_CASE("filtered collapse: down to a quarter the surface stays closed and of convex pieces") {
     for (const TriangleMesh& mesh :
          {make_bumpy_sphere(0.1, 12, 0.03, 60.0).value(), make_torus(0.1, 0.03, 40, 20).value()}) {
         Simplified one(mesh);

@@ -136,9 +136,7 @@ TEST_CASE("level pairs: in free space nothing is told, whatever the budget") {
     }
 }
 
-TEST_CASE(
-    "level pairs: what a budget cut short, while the tool went elsewhere and came back, is found "
-    "again as soon as there is time") {
+TEST_CASE("level pairs: what a budget cut short is found again as soon as there is time") {
     constexpr double kNear_m = 5.0e-3;
     const Levels levels = make_levels(make_bumpy_sphere(0.05, 12, 0.06, 60.0).value(), kNear_m);
     const auto exact = make_pairs(levels, levels);

@@ -35,9 +35,7 @@ std::shared_ptr<const ContactLevels> make_square(const Vector3& along, const Vec
 
 }  // namespace
 
-TEST_CASE(
-    "pair contacts: where one looks away from the shortest way out, a way is told that both look "
-    "along, up to four times as long, and none beyond") {
+TEST_CASE("pair contacts: a way out is told that both look along, up to four times the shortest") {
     // The object lies and looks up, the tool stands on it, leaning back a little, and looks along x; its lower edge is 1 mm through, near the
     // object's border at -x.
     const auto lying = make_square(Vector3::UnitZ(), Vector3::UnitX());

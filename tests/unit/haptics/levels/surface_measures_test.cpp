@@ -83,10 +83,7 @@ TEST_CASE("surface measures: heights over a box are those to its sides, edges an
     }
 }
 
-TEST_CASE(
-    "surface measures: how far hulls stand out of a bumpy sheet is measured no more than it is, "
-    "and "
-    "a fifth less at most") {
+TEST_CASE("surface measures: hulls stand out by no more than they do, and a fifth less at most") {
     const TriangleMesh sheet = make_bumpy_sheet(0.002, 300.0);
     const SurfaceDistance surface(sheet);
     double least_share = 1.0;

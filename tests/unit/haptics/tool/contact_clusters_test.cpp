@@ -279,8 +279,7 @@ TEST_CASE("contact clusters: what weighs nothing or is no number changes nothing
 }
 
 TEST_CASE(
-    "contact clusters: what has begun to end goes on until it has parted by more than it came "
-    "together by") {
+    "contact clusters: what has begun to end goes on until it has parted by more than before") {
     ContactClusterSettings slow = kPlain;
     slow.fade_s = 1.0;
     ContactClusters clusters(slow);

@@ -314,9 +314,7 @@ TEST_CASE("field sampling: what slides along a face or away from it is not looke
     CHECK(step(1.5, 0.0) == static_cast<std::int64_t>(plate->n_leaves()));
 }
 
-TEST_CASE(
-    "field sampling: in a socket of its own shape memory changes no contact, however it slides "
-    "and turns") {
+TEST_CASE("field sampling: in a socket memory changes no contact, however it slides and turns") {
     // A ball with a bumpy hollow, and a bumpy ball a voxel smaller in it.
     const FieldSampler::Field socket = make_field(
         *make_hollow(*make_sphere(1.2, 16), *make_bumpy_sphere(1.0, 24, 0.05, 12.0)), 96);

@@ -50,8 +50,7 @@ void put_nothing(GodForce& force) {
 const Pose kPressed = Pose::at({0.0, -kDepth_m, 0.0});
 
 TEST_CASE(
-    "god force: against a wall it is stiffness times depth, whatever share of the way a step "
-    "goes; without contacts and beside them nothing") {
+    "god force: at a wall it is stiffness times depth, beside contacts nothing, at any share") {
     for (const double share : {0.1, 0.5, 1.0}) {
         GodForce force = make_force(share);
         force.begin(Pose{});
@@ -75,9 +74,7 @@ TEST_CASE("god force: a contact that is a little away lets the tool go there fir
     CHECK(force.compute(Pose::at({0.0, -0.003, 0.0})).force.y() == Approx(kStiffness * 0.002));
 }
 
-TEST_CASE(
-    "god force: a new set of contacts goes on from the force of the one before, which fades as "
-    "the exponential does") {
+TEST_CASE("god force: a new set goes on from the last force, which fades as the exponential does") {
     GodForce force = make_force();
     force.begin(Pose{});
     const double whole_N = kStiffness * kDepth_m;
@@ -139,9 +136,7 @@ TEST_CASE("god force: a loaded tool that nothing is near any more is felt not at
     CHECK(change_set(force, Pose{}, put_on_floor).after.force.norm() < 1.0e-12);
 }
 
-TEST_CASE(
-    "god force: a loaded tool that slips free beside something fades to nothing in 5 ms and the "
-    "time of a fade") {
+TEST_CASE("god force: a tool that slips free beside something fades in 5 ms and the fade's time") {
     GodForce force = make_force();
     put_on_floor(force);
     double last_N = force.compute(kPressed).force.norm();

@@ -78,9 +78,7 @@ TEST_CASE("god motion: what it tells of a cube on a block are its four corners, 
           Approx(kGap_m).epsilon(0.05));
 }
 
-TEST_CASE(
-    "god motion: between a floor and a ceiling two gaps wider than the tool nothing holds it along "
-    "them, and they push no more than they must") {
+TEST_CASE("god motion: between floor and ceiling it glides, and they push no more than they must") {
     constexpr double kSide_m = 0.04;
     // Plates that lie askew a few metres from their origins: so far do their normals' differences round.
     const Quaternion turn(compute_exp({0.3, -0.7, 0.4}));
@@ -214,9 +212,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "god motion: of a cube that leans by less than a gap the corners press that nothing is lower "
-    "than") {
+TEST_CASE("god motion: of a cube that leans by less than a gap the lowest corners press") {
     GodMotion motion = make_motion();
     const double lean_rad = 0.8 * kGap_m / kCube_m.x();
     const auto at = [&](double lowest_m) {
@@ -250,9 +246,7 @@ TEST_CASE("god motion: what stopped nearer than a gap is not told to push the to
     }
 }
 
-TEST_CASE(
-    "god motion: between walls that leave it less than a gap on either side it goes along them all "
-    "the same") {
+TEST_CASE("god motion: between walls less than a gap away on either side it goes along them") {
     GodMotion motion({make_block_plan(), make_block_plan()}, kSettings, nullptr);
     const auto between = [&](double room_m) {
         return std::vector<MovingFrame>{kBlock,

@@ -49,9 +49,7 @@ ToolFelt press(GodObjectTool& tool, double x_m, double depth_m, double& t_s) {
 
 }  // namespace
 
-TEST_CASE(
-    "god object felt: between two steps the relief is felt with what presses less, and not with "
-    "what presses more") {
+TEST_CASE("god object felt: between steps the relief weakens with the push, and never grows") {
     GodObjectTool tool = make_block_on_grooves(true);
     double t_s = 0.0;
     const ToolFelt felt = press(tool, 0.011, 0.002, t_s);
@@ -65,9 +63,7 @@ TEST_CASE(
     CHECK(felt_at(-0.001).isZero(0.0));
 }
 
-TEST_CASE(
-    "god object felt: drawn over grooves beside its motion it feels of each set what a tool in "
-    "line felt a step before") {
+TEST_CASE("god object felt: beside its motion it feels grooves as a tool in line a step before") {
     GodObjectTool in_line = make_block_on_grooves(true);
     GodObjectTool beside = make_block_on_grooves(false);
     double t_s = 0.0;
@@ -115,9 +111,7 @@ TEST_CASE("god object felt: what is late is felt as weakly between two steps as 
 }
 
 TEST_CASE(
-    "god object felt: stopped over grooves, the relief there is felt as soon as the way that it "
-    "came "
-    "is evened out") {
+    "god object felt: stopped over grooves it feels them once the way it came is evened out") {
     const auto texture = std::make_shared<const Texture>(
         TextureSettings{SineTexture{0.0043, 0.0}, TextureLaw::lateral, 2.0e-4, 1.0});
     GodTexture felt(texture, {.stiffness_N_per_m = kStiffness, .reach_m = 0.02, .fade_s = 0.03});

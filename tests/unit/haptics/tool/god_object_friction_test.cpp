@@ -42,8 +42,7 @@ double compute_stretch(const GodObjectTool& tool, const Pose& handle_W) {
 }
 
 TEST_CASE(
-    "god-object friction: a cube dragged along a floor sticks below mu times what presses it and "
-    "slides beyond, held back by just that") {
+    "god-object friction: a dragged cube sticks below mu N, and slides held back by just that") {
     const int squares = GENERATE(0, 1, 24);
     const TriangleMesh floor = squares > 0 ? make_plate(0.3, 0.3, squares).value() : make_ground();
     const TriangleMesh cube = make_cube();
@@ -155,9 +154,7 @@ TEST_CASE("god-object friction: what sticks does not creep under a hand that tre
     CHECK(find_way(start, tool.pose_W()).tail<3>().norm() < 1.0e-9);
 }
 
-TEST_CASE(
-    "god-object friction: it holds by the static coefficient until it slips, then by the dynamic "
-    "one, and by the static one again once it rests") {
+TEST_CASE("god-object friction: static until it slips, then dynamic, and static again at rest") {
     GodObjectTool tool = make_tool(make_cube(), make_ground(), {0.6, 0.4, 0.0});
     tool.place(Pose::at({0.0, 0.03, 0.0}));
     constexpr double kDepth_m = 0.004;
@@ -213,8 +210,7 @@ TEST_CASE("god-object friction: a floor that moves carries what is pressed on it
 }
 
 TEST_CASE(
-    "god-object by chance: at any speed, pressed and turned, nothing enters, gaps stay and no step "
-    "gains energy, with friction or without") {
+    "god-object by chance: nothing enters, gaps stay, no step gains energy, at any friction") {
     const double mu = GENERATE(0.0, 0.2, 1.0);
     const TriangleMesh cube = make_cube();
     const TriangleMesh block = make_box({0.06, 0.05, 0.07}).value();

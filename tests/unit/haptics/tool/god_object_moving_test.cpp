@@ -20,9 +20,7 @@ using Scene = test::GodScene;
 const GodObjectSettings kSettings =
     test::make_sudden_settings(make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m)));
 
-TEST_CASE(
-    "god-object tool: an object that moves into a standing tool pushes it before itself, and the "
-    "hand feels how far") {
+TEST_CASE("god-object tool: an object pushes a standing tool ahead, and the hand feels how far") {
     Scene scene(test::make_cube(2.0 * kHalf_m), {make_box({0.1, 0.1, 0.1}).value()}, kSettings);
     const Pose handle = Pose::at({0.0, 0.05 + kHalf_m + 0.001, 0.0});
     scene.god.place(handle);
@@ -81,9 +79,7 @@ TEST_CASE("god-object tool: objects that turn and fly about by chance never get 
     CHECK_FALSE(scene.god.last_step().wedged);
 }
 
-TEST_CASE(
-    "god-object tool: between two objects that close upon it it is wedged, which is told; when "
-    "they open they are where they are said to be") {
+TEST_CASE("god-object tool: two objects that close upon it wedge it; opened they are where told") {
     const TriangleMesh jaw = make_box({0.1, 0.1, 0.1}).value();
     Scene scene(test::make_cube(2.0 * kHalf_m), {jaw, jaw}, kSettings);
     const double apart_m = kHalf_m + 0.05;

@@ -54,9 +54,7 @@ TEST_CASE("god-object tool: in free space it follows the handle, and nothing is 
     }
 }
 
-TEST_CASE(
-    "god-object tool: a cube pressed flat onto a floor feels stiffness times depth, dragged "
-    "along it too") {
+TEST_CASE("god-object tool: a cube pressed or dragged on a floor feels stiffness times depth") {
     const bool fine = GENERATE(false, true);
     const TriangleMesh floor = fine ? make_plate(0.3, 0.3, 24).value() : make_ground();
     const TriangleMesh cube = make_cube();
@@ -130,8 +128,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "god-object tool: in a slot of 10 micrometres more than its width it slides freely, and "
-    "feels what turns it and lifts it nothing of the walls") {
+    "god-object tool: in a slot 10 micrometres wider it slides freely, and is held across it") {
     constexpr double kPlay_m = 1.0e-5;
     const double wall_m = kHalf_m + 0.5 * kPlay_m;
     const std::array<PlacedBox, 2> walls{{{{-wall_m - 0.05, 0.0, 0.0}, {0.1, 0.2, 0.5}},
@@ -183,9 +180,7 @@ TEST_CASE(
     CHECK(turned.felt_W.force.norm() < 1.0e-3);
 }
 
-TEST_CASE(
-    "god-object tool: out of time it makes one round a step, enters nothing, and comes to the same "
-    "rest") {
+TEST_CASE("god-object tool: out of time, at a round a step, it enters nothing and rests as ever") {
     const TriangleMesh cube = make_cube();
     const TriangleMesh floor = make_ground();
     GodObjectSettings hurried = test::make_god_settings(kCube);
@@ -229,9 +224,7 @@ TEST_CASE("god-object tool: between steps a handle that is no number feels nothi
           Approx(kStiffness * 0.010001));
 }
 
-TEST_CASE(
-    "god-object tool: as far out as places are, with the least gap, nothing crosses; beyond, "
-    "nothing moves") {
+TEST_CASE("god-object tool: as far out as places are nothing crosses; beyond, nothing moves") {
     const TriangleMesh floor = make_ground();
     const TriangleMesh cube = make_cube();
     GodObjectSettings settings = test::make_god_settings(kCube);

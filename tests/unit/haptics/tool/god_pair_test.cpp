@@ -106,9 +106,7 @@ std::vector<GodContact> find_all(const GodPair& pair, const Pose& X_OT, double w
     return all;
 }
 
-TEST_CASE(
-    "god pair: its contacts are those of all features of all triangles, each asked once, however "
-    "often it looked before") {
+TEST_CASE("god pair: its contacts are those of all features of all triangles, each once") {
     const bool is_flat = GENERATE(false, true);
     const TriangleMesh object = is_flat ? make_plate(0.06, 0.06, 6).value()
                                         : make_bumpy_sphere(0.05, 5, 0.15, 90.0).value();

@@ -88,10 +88,7 @@ Turns draw_over(GodObjectTool& tool, bool ball_is_tool) {
     return turns;
 }
 
-TEST_CASE(
-    "god shading: a tip drawn over a ball of facets, and such a ball over a tip, is pushed along "
-    "the radius but for a fifth of the facets' error, and no step turns the force by a tenth of "
-    "what it did") {
+TEST_CASE("god shading: facets are felt within a fifth of their error, at a tenth of their jumps") {
     const bool ball_is_tool = GENERATE(false, true);
     const TriangleMesh spike = make_spike();
     std::vector<Vector3> vertices = spike.vertices_B();
@@ -113,9 +110,7 @@ TEST_CASE(
     CHECK(flat.most_jump > 0.02);
 }
 
-TEST_CASE(
-    "god shading: the tool goes the same way to the bit and enters nothing, and flat faces and "
-    "creases push as they did") {
+TEST_CASE("god shading: the way stays to the bit, and flat faces and creases push as they did") {
     const bool is_flat = GENERATE(false, true);
     const TriangleMesh object = is_flat ? make_box({0.3, 0.1, 0.3}).value() : make_ball();
     const TriangleMesh cube = test::make_cube(0.04);

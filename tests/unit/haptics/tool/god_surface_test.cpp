@@ -57,9 +57,7 @@ TEST_CASE("god surface: within a flat plate nothing touches, round its border al
     CHECK(n_edges == 4 * kN);
 }
 
-TEST_CASE(
-    "god surface: it tells how far a surface rises along a direction, beside a corner, an edge "
-    "and inside a face") {
+TEST_CASE("god surface: its rise along a direction beside a corner, an edge and inside a face") {
     const auto box = GodSurface::create(make_box({2.0, 2.0, 2.0}).value());
     for (std::int32_t i = 0; i < box->swept().n_triangles(); ++i) {
         const Triangle t = box->swept().triangle(i);
@@ -79,9 +77,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "god surface: triangles turned over, doubled and with corners of their own touch where the "
-    "sound mesh does, and where it is doubled") {
+TEST_CASE("god surface: a messy mesh touches where the sound one does, and where it is doubled") {
     const TriangleMesh sound = make_box({0.1, 0.2, 0.3}).value();
     const auto messy = GodSurface::create(make_messy(sound, 0.0).value());
     const auto whole = GodSurface::create(sound);
@@ -98,10 +94,7 @@ TEST_CASE(
     CHECK(messy->memory_bytes() > whole->memory_bytes());
 }
 
-TEST_CASE(
-    "god surface: each corner and each edge that touches is one triangle's own, of sound meshes "
-    "and "
-    "of messy ones") {
+TEST_CASE("god surface: each corner and edge that touches is one triangle's own, messy or not") {
     const TriangleMesh ball = make_bumpy_sphere(0.1, 6, 0.1, 5.0).value();
     for (const TriangleMesh& mesh :
          {ball, make_box({0.1, 0.2, 0.3}).value(), make_plate(0.2, 0.2, 4).value(),
@@ -136,9 +129,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "god surface: it encloses what is inside a closed mesh, turned inside out or not, and nothing "
-    "that is in its hollow") {
+TEST_CASE("god surface: it encloses what is inside, inside out or not, and nothing in its hollow") {
     const TriangleMesh ball = make_sphere(0.1, 6).value();
     const TriangleMesh inner = make_sphere(0.05, 4).value();
     const auto solid = GodSurface::create(ball);

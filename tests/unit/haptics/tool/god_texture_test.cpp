@@ -105,9 +105,7 @@ TEST_CASE("god texture: a tip drawn over grooves feels each law in closed form")
     }
 }
 
-TEST_CASE(
-    "god texture: a block feels the mean of its corners, nothing where the grooves' wave fits them "
-    "so, and is turned where they differ") {
+TEST_CASE("god texture: a block feels the mean of its corners, and is turned where they differ") {
     const double half_m = GENERATE(0.01, 0.0105, 0.0103, 0.0115);
     const TextureSettings grooves = make_grooves(TextureLaw::lateral);
     const TriangleMesh block = make_box({2.0 * half_m, 0.02, 0.02}).value();
@@ -159,8 +157,7 @@ TEST_CASE("god texture: a block over grooves that turn with its sides is turned 
 }
 
 TEST_CASE(
-    "god texture: a relief that is level everywhere is felt to the bit as none, and the tool goes "
-    "the same way over any") {
+    "god texture: a level relief is felt as none to the bit, and the way is the same over any") {
     const bool is_level = GENERATE(true, false);
     const FrictionSettings friction = GENERATE(FrictionSettings{}, FrictionSettings{0.5, 0.4, 0.0});
     TextureSettings texture = make_grooves(TextureLaw::perturbed_normal);
@@ -229,8 +226,7 @@ TEST_CASE("god texture: a closed way under even pressure gives the hand nothing"
 }
 
 TEST_CASE(
-    "god texture: however contacts come and go, the relief changes the force no faster than it may "
-    "as it passes and a new set of contacts fades in") {
+    "god texture: contacts that come and go change the relief's force no faster than it may") {
     const TextureSettings grooves = make_grooves(TextureLaw::lateral, 2.0);
     const double slope = 2.0 * kPi * kHeight_m / kWave_m;
     const double bend_per_m = 2.0 * slope * 2.0 * kPi / kWave_m;  // twice the relief's

@@ -193,8 +193,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "implicit penalty: a hand that swings to where something is near and away again, without "
-    "touching, feels the tool's mass come and go bit by bit, and nothing in free space") {
+    "implicit penalty: near something the mass comes and goes bit by bit, in the free not at all") {
     ImplicitPenaltyPlan plan = make_plan();
     plan.settings.clusters.within_m = 4.0e-3;
     auto tool = make_tool(plan, 0.03);

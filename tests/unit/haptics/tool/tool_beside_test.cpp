@@ -159,8 +159,7 @@ void put_elsewhere(Tool& tool, double from_s, Look look) {
 }  // namespace
 
 TEST_CASE(
-    "god beside: a step feels the last set of contacts by where the handle is now, as a tool in "
-    "line says between its steps, and its motion is that tool's to the bit") {
+    "god beside: a step feels the last set of contacts, and moves as a tool in line to the bit") {
     constexpr double kSolved_N = 1.0e-7;  // asked once more, the solver begins elsewhere
     for (const double friction : {0.0, 0.4}) {
         auto in_line = make_god(true, 0.0, friction);
@@ -218,8 +217,7 @@ TEST_CASE("penalty beside: a hundred rounds a second shake nothing, and no round
 }
 
 TEST_CASE(
-    "tool beside: what is found late is held for 0.1 s and gone 0.1 s later, evenly; found again "
-    "it comes back as evenly") {
+    "tool beside: found late it is held for 0.1 s, gone 0.1 s later, and comes back as evenly") {
     auto god = make_god(false, 0.05);
     test::check_silent_contacts(
         god, {}, hand_at, 0.6, [&] { REQUIRE(god.force(hand_at(0.25)).force == Vector3::Zero()); });
@@ -242,8 +240,7 @@ TEST_CASE("tool beside: put elsewhere it knows nothing of what it met before") {
 }
 
 TEST_CASE(
-    "god beside: a handle that moves on between two sets is felt in time: deeper by K, off without "
-    "a pull") {
+    "god beside: between two sets the handle is felt in time: deeper by K, off without a pull") {
     auto tool = make_god(false, 0.05);
     tool.place(hand_at(0.0));
     double t_s = 0.0;
@@ -335,9 +332,7 @@ TEST_CASE("penalty: what a round is told is where all was when the step began") 
     }
 }
 
-TEST_CASE(
-    "penalty: a step whose time is no number leaves the tool as it is, one that cannot be made "
-    "leaves it at rest, and it goes on afterwards") {
+TEST_CASE("penalty: a step of no time leaves the tool as it is, one that cannot be made at rest") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     auto tool = make_penalty(true);
     auto calm = make_penalty(true);

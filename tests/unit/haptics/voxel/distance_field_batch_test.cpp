@@ -300,9 +300,7 @@ TEST_CASE("distance field batch: a place that is no number is free") {
     }
 }
 
-TEST_CASE(
-    "distance field slopes: sums in vectors are those point by point, in every part, and deep "
-    "points are told") {
+TEST_CASE("distance field slopes: sums are those point by point, and deep points are told") {
     const Pointshell shell = make_points();
     Random random(3);
     int n_shallow = 0;

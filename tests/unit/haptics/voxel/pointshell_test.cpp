@@ -54,9 +54,7 @@ TEST_CASE("pointshell from voxels: the centres of the surface voxels, normals in
     }
 }
 
-TEST_CASE(
-    "pointshell from voxels: on a flat face all normals are its own, a thin plate has those of one "
-    "side") {
+TEST_CASE("pointshell from voxels: a flat face's normals are its own, a thin plate's of one side") {
     const Pointshell box = make_voxel_pointshell(make_box({1.0, 1.0, 1.0}).value(), 0.07).value();
     int n_top = 0;
     for (std::size_t i = 0; i < box.size(); ++i) {

@@ -89,9 +89,7 @@ TEST_CASE("voxmap: what is all alike is not stored") {
     CHECK(Voxmap::build(grid, 3).value().n_blocks() == 0);
 }
 
-TEST_CASE(
-    "voxmap: memory is counted, and a deep tree of a thin surface is smaller than two bits for "
-    "each voxel") {
+TEST_CASE("voxmap: memory is counted, and a thin surface takes less than two bits a voxel") {
     const VoxelGrid grid = make_ball(200);
     const Voxmap two = Voxmap::build(grid, 2).value();
     CHECK(two.memory_bytes() < grid.cells.size() / 4);
