@@ -37,6 +37,14 @@ Vector3 draw_vector(double size) {
     return {number(), number(), number()};
 }
 
+std::vector<Vector3> draw_points(int n) {
+    std::vector<Vector3> points;
+    for (int i = 0; i < n; ++i) {
+        points.push_back(draw_vector(1.0));
+    }
+    return points;
+}
+
 }  // namespace
 
 TEST_CASE("hull pair: boxes apart are as far as corner, edge and face say") {
@@ -67,12 +75,8 @@ TEST_CASE("hull pair: flat hulls, segments and points are hulls too") {
 
 TEST_CASE("hull pair: bounds hold the distance between, and the points are so far apart") {
     CHECK(rc::check([] {
-        std::vector<Vector3> first;
-        std::vector<Vector3> second;
-        for (int i = 0; i < 12; ++i) {
-            first.push_back(draw_vector(1.0));
-            second.push_back(draw_vector(1.0));
-        }
+        const std::vector<Vector3> first = draw_points(12);
+        const std::vector<Vector3> second = draw_points(12);
         const Pose X{draw_vector(3.0), compute_exp(draw_vector(3.0))};
         const HullPair pair = find_pair(first, second, X);
         RC_ASSERT(pair.least_m <= pair.gap_m);
@@ -92,12 +96,8 @@ TEST_CASE("hull pair: bounds hold the distance between, and the points are so fa
 
 TEST_CASE("hull pair: asked whether they are farther than so much, it ends with a true bound") {
     CHECK(rc::check([] {
-        std::vector<Vector3> first;
-        std::vector<Vector3> second;
-        for (int i = 0; i < 8; ++i) {
-            first.push_back(draw_vector(1.0));
-            second.push_back(draw_vector(1.0));
-        }
+        const std::vector<Vector3> first = draw_points(8);
+        const std::vector<Vector3> second = draw_points(8);
         const Pose X{draw_vector(4.0), compute_exp(draw_vector(3.0))};
         const Matrix3 turn = X.orientation.toRotationMatrix();
         const double exact_m = find_pair(first, second, X).gap_m;

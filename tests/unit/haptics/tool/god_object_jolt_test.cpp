@@ -18,6 +18,20 @@ constexpr double kNothing_N = 1.0e-4;  // what ends a fade
 
 constexpr double kNear_m = 16.0e-6;  // 16 gaps at rest
 constexpr double kRounding_m = 1.0e-12;
+constexpr double kHalf_m = 0.02;  // of the tool, a cube
+constexpr int kBlended = 1200;    // steps in which any set of contacts is blended in
+
+const Inertia kCube = make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m));
+
+test::GodScene make_scene(const Vector3& block_m,
+                          const GodObjectSettings& settings = test::make_god_settings(kCube)) {
+    return {test::make_cube(2.0 * kHalf_m), {make_box(block_m).value()}, settings};
+}
+
+double find_distance_m(const test::GodScene& scene) {
+    return test::find_distance_m(scene.objects[0], scene.god.object_W(0), scene.tool,
+                                 scene.god.pose_W());
+}
 
 TEST_CASE("god-object jolts: contacts that come and go change the force by a step's fade at most") {
     const double mu = GENERATE(0.0, 0.5);
@@ -75,22 +89,6 @@ TEST_CASE("god-object jolts: contacts that come and go change the force by a ste
     }
     CHECK(most_change_N > 5.0);
     CHECK(n_dropped > 3);
-}
-
-constexpr double kHalf_m = 0.02;  // of the tool, a cube
-constexpr int kBlended = 1200;    // steps in which any set of contacts is blended in
-
-const Inertia kCube = make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m));
-
-test::GodScene make_scene(const Vector3& block_m) {
-    return {test::make_cube(2.0 * kHalf_m),
-            {make_box(block_m).value()},
-            test::make_god_settings(kCube)};
-}
-
-double find_distance_m(const test::GodScene& scene) {
-    return test::find_distance_m(scene.objects[0], scene.god.object_W(0), scene.tool,
-                                 scene.god.pose_W());
 }
 
 TEST_CASE("god-object in the free: nothing is felt in any step in which nothing is near") {

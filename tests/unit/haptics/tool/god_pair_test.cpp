@@ -21,9 +21,15 @@ GodPair make_pair(const TriangleMesh& object, const TriangleMesh& tool, int most
     return {GodSurface::create(object), GodSurface::create(tool), most};
 }
 
+// Two bumpy balls.
+GodPair make_bumpy_pair() {
+    static const TriangleMesh kObject = make_bumpy_sphere(0.05, 6, 0.15, 90.0).value();
+    static const TriangleMesh kTool = make_bumpy_sphere(0.03, 5, 0.2, 120.0).value();
+    return make_pair(kObject, kTool);
+}
+
 TEST_CASE("god pair: a cube flat over a plate is held at its four corners, each once") {
-    GodPair pair =
-        make_pair(make_plate(0.2, 0.2, 10).value(), make_box({0.02, 0.02, 0.02}).value());
+    GodPair pair = make_pair(make_plate(0.2, 0.2, 10).value(), test::make_cube(0.02));
     constexpr double kGap_m = 1.0e-6;
     pair.collect(Pose::at({0.003, 0.01 + kGap_m, 0.001}), 4.0 * kGap_m);
     REQUIRE(pair.contacts().size() == 4);
@@ -42,8 +48,7 @@ TEST_CASE("god pair: a cube flat over a plate is held at its four corners, each 
 }
 
 TEST_CASE("god pair: over the border of a plate the tool is held along the line between both") {
-    GodPair pair =
-        make_pair(make_plate(0.2, 0.2, 10).value(), make_box({0.02, 0.02, 0.02}).value());
+    GodPair pair = make_pair(make_plate(0.2, 0.2, 10).value(), test::make_cube(0.02));
     // An edge of the cube along z, aside of the plate's border along z and above it.
     const Vector3 off(1.0e-6, 2.0e-6, 0.0);
     pair.collect(Pose::at(Vector3(0.1 + 0.01, 0.01, 0.0) + off), 4.0e-6);
@@ -147,9 +152,11 @@ TEST_CASE("god pair: its contacts are those of all features of all triangles, ea
 TEST_CASE(
     "god pair: with its front it finds what the whole meshes' sweep finds, whatever was asked "
     "before") {
-    const TriangleMesh object = make_bumpy_sphere(0.05, 6, 0.15, 90.0).value();
-    const TriangleMesh tool = make_bumpy_sphere(0.03, 5, 0.2, 120.0).value();
-    GodPair pair = make_pair(object, tool);
+    GodPair pair = make_bumpy_pair();
+    const auto sweep = [&](const Pose& from, const Pose& to, double tolerance_m) {
+        return sweep_meshes(pair.object().swept(), pair.tool().swept(), InBetweenMotion(from, to),
+                            {kTouch_m, tolerance_m});
+    };
     Random random(5);
     Pose at = Pose::at({0.0, 0.12, 0.0});
     int n_touching = 0;
@@ -159,8 +166,7 @@ TEST_CASE(
         const double speed = i % 40 == 0 ? 0.03 : 0.0008;
         const Pose to{at.position + speed * random.in_cube() - 0.01 * speed * 100.0 * at.position,
                       (compute_exp(10.0 * speed * random.in_cube()) * at.orientation).normalized()};
-        const MeshSweep whole = sweep_meshes(*SweptMesh::create(object), *SweptMesh::create(tool),
-                                             InBetweenMotion(at, to), {kTouch_m, kTouch_m});
+        const MeshSweep whole = sweep(at, to, kTouch_m);
         const double free = pair.find_free_share(at, to, kTouch_m);
         CAPTURE(i, whole.contact.time);
         // What lies within the tolerance one may tell as a touch and the other as free: it goes no farther than a sweep of a thousandth of
@@ -171,9 +177,7 @@ TEST_CASE(
             REQUIRE(free > 0.0);
             ++n_cut;
         } else if (std::abs(free - told) > 1.0e-9) {
-            const MeshSweep strict =
-                sweep_meshes(*SweptMesh::create(object), *SweptMesh::create(tool),
-                             InBetweenMotion(at, to), {kTouch_m, 1.0e-3 * kTouch_m});
+            const MeshSweep strict = sweep(at, to, 1.0e-3 * kTouch_m);
             REQUIRE(free > told);
             REQUIRE((strict.outcome == SweepOutcome::free ? 1.0 : strict.contact.time) >= free);
             ++n_otherwise;
@@ -184,7 +188,7 @@ TEST_CASE(
         at = free == 1.0 ? to : motion.pose(0.99 * free);
         // Contacts are those of a front made there.
         pair.collect(at, 1.0e-4);
-        GodPair fresh = make_pair(object, tool);
+        GodPair fresh = make_bumpy_pair();
         fresh.collect(at, 1.0e-4);
         REQUIRE(pair.contacts().size() == fresh.contacts().size());
         REQUIRE(pair.is_apart(at, 1.0e-12));
@@ -243,16 +247,14 @@ TEST_CASE("god pair: whether something is within a distance is told as brute for
 }
 
 TEST_CASE("god pair: put elsewhere it goes as one that is new, to the bit") {
-    const TriangleMesh object = make_bumpy_sphere(0.05, 6, 0.15, 90.0).value();
-    const TriangleMesh tool = make_bumpy_sphere(0.03, 5, 0.2, 120.0).value();
-    GodPair pair = make_pair(object, tool);
+    GodPair pair = make_bumpy_pair();
     Random random(11);
     Pose at = Pose::at({0.0, 0.1, 0.0});
     int n_cut = 0;
     for (int i = 0; i < 120; ++i) {
         const Pose to{at.position + 0.02 * random.in_cube() - 0.05 * at.position,
                       (compute_exp(0.2 * random.in_cube()) * at.orientation).normalized()};
-        GodPair fresh = make_pair(object, tool);
+        GodPair fresh = make_bumpy_pair();
         pair.forget();
         const double free = pair.find_free_share(at, to, kTouch_m);
         CAPTURE(i);
