@@ -55,6 +55,47 @@ inline ContactConstraint contact_at(int body_a, const Vector3& centre_a, int bod
     return c;
 }
 
+/// A row of no bounds between two bodies, each by what its twist counts for.
+inline RowConstraint tie(int body_a, const Vector6& along_a, int body_b, const Vector6& along_b) {
+    RowConstraint row;
+    row.body_a = body_a;
+    row.body_b = body_b;
+    row.jacobian_a = along_a;
+    row.jacobian_b = along_b;
+    row.least = -HUGE_VAL;
+    row.most = HUGE_VAL;
+    return row;
+}
+/// One against the ground.
+inline RowConstraint tie_down(int body, const Vector6& along) {
+    return tie(kGround, Vector6::Zero(), body, along);
+}
+/// Of the three rows that hold a point of one body to a point of another, the one along an axis.
+inline RowConstraint hold_along(const Vector3& axis, int body_a, const Vector3& arm_a, int body_b,
+                                const Vector3& arm_b) {
+    return tie(body_a, -moving(axis, arm_a.cross(axis)), body_b, moving(axis, arm_b.cross(axis)));
+}
+
+/// A ball of 1 kg that two walls push apart at 0.5 m/s each: no answer.
+inline ContactProblem squeezed_ball(double impulse_Ns) {
+    ContactProblem problem({1, 2, 0});
+    problem.add_body(1.0, ball_inertia(1.0, 0.1), Vector6::Zero());
+    for (const double side : {-1.0, 1.0}) {
+        const Vector3 normal = side * Vector3::UnitX();
+        ContactConstraint c =
+            contact_at(kGround, Vector3::Zero(), 0, Vector3::Zero(), -0.1 * normal, normal);
+        c.target_m_per_s.x() = 0.5;
+        c.impulse_Ns.x() = impulse_Ns;
+        problem.add_contact(c);
+    }
+    return problem;
+}
+
+/// The greatest difference of any two of their numbers.
+inline double find_apart(const Vector6& a, const Vector6& b) {
+    return (a - b).cwiseAbs().maxCoeff();
+}
+
 /// The four lower corners of a cube on the ground, whose normal is the first of `axes`.
 inline void add_corners(ContactProblem& problem, int body, double edge_m, double friction,
                         const Matrix3& axes, double dynamic_friction = -1.0) {

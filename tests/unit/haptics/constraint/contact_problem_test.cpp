@@ -1,9 +1,13 @@
 #include "haptics/constraint/contact_problem.h"
 
+#include "haptics/constraint/complementarity.h"
 #include "tests/support/contact_scenes.h"
+#include "tests/support/refusals.h"
 
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace fulcrum {
@@ -14,15 +18,25 @@ using namespace contact_scenes;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kExact = 1.0e-15;
 
-TEST_CASE("contact problem: a full one drops and counts") {
-    ContactProblem problem({1, 1, 1});
-    const Matrix3 inertia = Matrix3::Identity();
-    CHECK(problem.add_body(1.0, inertia, Vector6::Zero()) == 0);
-    CHECK(problem.add_body(1.0, inertia, Vector6::Zero()) == kGround);
+// What add_body takes.
+struct Body {
+    double mass_kg = 1.0;
+    Matrix3 inertia{Matrix3::Identity()};
+    Vector6 velocity{Vector6::Zero()};
+};
+
+ContactConstraint on_ground() {
     ContactConstraint contact;
     contact.body_b = 0;
-    CHECK(problem.add_contact(contact));
-    CHECK_FALSE(problem.add_contact(contact));
+    return contact;
+}
+
+TEST_CASE("contact problem: a full one drops and counts") {
+    ContactProblem problem({1, 1, 1});
+    CHECK(problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero()) == 0);
+    CHECK(problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero()) == kGround);
+    CHECK(problem.add_contact(on_ground()));
+    CHECK_FALSE(problem.add_contact(on_ground()));
     RowConstraint row;
     row.body_b = 0;
     CHECK(problem.add_row(row));
@@ -35,56 +49,58 @@ TEST_CASE("contact problem: a full one drops and counts") {
     CHECK(problem.rows().empty());
 }
 
-TEST_CASE("contact problem: what is no body is refused") {
-    ContactProblem problem({8, 0, 0});
-    const Matrix3 inertia = Matrix3::Identity();
-    CHECK(problem.add_body(0.0, inertia, Vector6::Zero()) == kGround);
-    CHECK(problem.add_body(-1.0, inertia, Vector6::Zero()) == kGround);
-    CHECK(problem.add_body(kNone, inertia, Vector6::Zero()) == kGround);
-    CHECK(problem.add_body(1.0, Matrix3::Zero(), Vector6::Zero()) == kGround);
-    CHECK(problem.add_body(1.0, kNone * inertia, Vector6::Zero()) == kGround);
-    CHECK(problem.add_body(1.0, inertia, Vector6::Constant(kNone)) == kGround);
-    CHECK(problem.bodies().empty());
-    CHECK(problem.n_dropped() == 6);
-}
-
-TEST_CASE("contact problem: what joins no two bodies or has no numbers is refused") {
+TEST_CASE("contact problem: what is no body, joins no two bodies or has no numbers is refused") {
     ContactProblem problem({2, 8, 8});
-    problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
-    const auto refused = [&](auto change) {
-        ContactConstraint contact;
-        contact.body_b = 0;
-        change(contact);
-        return !problem.add_contact(contact);
-    };
-    CHECK(refused([](ContactConstraint& c) { c.body_b = kGround; }));
-    CHECK(refused([](ContactConstraint& c) { c.body_b = 1; }));
-    CHECK(refused([](ContactConstraint& c) { c.body_a = -2; }));
-    CHECK(refused([](ContactConstraint& c) { c.arm_b.x() = kNone; }));
-    CHECK(refused([](ContactConstraint& c) { c.axes_W(1, 1) = kNone; }));
-    CHECK(refused([](ContactConstraint& c) { c.target_m_per_s.z() = HUGE_VAL; }));
-    CHECK(refused([](ContactConstraint& c) { c.static_friction = -0.1; }));
-    CHECK(refused([](ContactConstraint& c) { c.dynamic_friction = kNone; }));
-    CHECK(refused([](ContactConstraint& c) { c.softness_per_kg = -1.0; }));
-    const auto row_refused = [&](auto change) {
-        RowConstraint row;
-        row.body_b = 0;
-        change(row);
-        return !problem.add_row(row);
-    };
-    CHECK(row_refused([](RowConstraint& r) { r.least = 1.0; }));
-    CHECK(row_refused([](RowConstraint& r) { r.least = r.most = HUGE_VAL; }));
-    CHECK(row_refused([](RowConstraint& r) { r.jacobian_b.setConstant(kNone); }));
-    CHECK(row_refused([](RowConstraint& r) { r.target = kNone; }));
-    CHECK(row_refused([](RowConstraint& r) { r.softness = kNone; }));
-    CHECK(problem.n_dropped() == 14);
+    check_refused_by(
+        [&](const Body& body) {
+            return problem.add_body(body.mass_kg, body.inertia, body.velocity) != kGround;
+        },
+        Body{},
+        {{&Body::mass_kg, 0.0},
+         {&Body::mass_kg, -1.0},
+         {&Body::mass_kg, kNone},
+         {&Body::mass_kg, 1.0e-310},
+         [](Body& body) { body.inertia.setZero(); },
+         [](Body& body) { body.inertia *= kNone; },
+         // Two moments below zero: the determinant is above it.
+         [](Body& body) { body.inertia = Vector3(-1.0, -1.0, 1.0).asDiagonal(); },
+         [](Body& body) { body.inertia = Vector3(1.0, -1.0, -1.0).asDiagonal(); },
+         [](Body& body) { body.inertia(0, 1) = 0.5; },
+         [](Body& body) { body.velocity.setConstant(kNone); }});
+    CHECK(problem.bodies().size() == 1);
+    CHECK(problem.n_dropped() == 10);
+    using C = ContactConstraint;
+    check_refused_by([&](const C& contact) { return problem.add_contact(contact); }, on_ground(),
+                     {{&C::body_b, kGround},
+                      {&C::body_b, 1},
+                      {&C::body_a, -2},
+                      {&C::static_friction, -0.1},
+                      {&C::dynamic_friction, kNone},
+                      {&C::softness_per_kg, -1.0},
+                      [](C& contact) { contact.arm_b.x() = kNone; },
+                      [](C& contact) { contact.axes_W(1, 1) = kNone; },
+                      [](C& contact) { contact.target_m_per_s.z() = HUGE_VAL; },
+                      // Weights beyond numbers.
+                      [](C& contact) { contact.arm_b.setConstant(1.0e200); }});
+    CHECK(problem.contacts()[0].weight_per_kg == 3.0);
+    using R = RowConstraint;
+    RowConstraint sound;
+    sound.body_b = 0;
+    check_refused_by([&](const R& row) { return problem.add_row(row); }, sound,
+                     {{&R::least, 1.0},
+                      {&R::target, kNone},
+                      {&R::softness, kNone},
+                      [](R& row) { row.least = row.most = HUGE_VAL; },
+                      [](R& row) { row.jacobian_b.setConstant(kNone); },
+                      [](R& row) { row.jacobian_b.setConstant(1.0e200); },
+                      [](R& row) { row.jacobian_b.setConstant(1.0e-160); }});
+    CHECK(problem.n_dropped() == 27);
 }
 
 TEST_CASE("contact problem: what was remembered and is no number is forgotten") {
     ContactProblem problem({1, 1, 1});
     problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
-    ContactConstraint contact;
-    contact.body_b = 0;
+    ContactConstraint contact = on_ground();
     contact.impulse_Ns.setConstant(kNone);
     contact.static_friction = 0.2;
     contact.dynamic_friction = 0.7;
@@ -109,40 +125,87 @@ TEST_CASE("contact problem: axes are perpendicular, right-handed, and begin with
         CHECK(std::abs(axes.determinant() - 1.0) <= kExact);
     }
 }
-
 TEST_CASE("contact problem: the energy is that of motion and of turning") {
     ContactProblem problem({1, 0, 0});
     problem.add_body(2.0, Vector3(1.0, 2.0, 3.0).asDiagonal(),
                      moving({1.0, 2.0, 2.0}, {1.0, 1.0, 2.0}));
     CHECK(compute_kinetic_energy_J(problem) == 0.5 * (2.0 * 9.0 + 1.0 + 2.0 + 12.0));
 }
-
-TEST_CASE(
-    "contact problem: an inertia that is not positive definite is refused, and so are weights "
-    "beyond numbers") {
-    ContactProblem problem({8, 8, 8});
-    // Two moments below zero: the determinant is above it.
-    CHECK(problem.add_body(1.0, Vector3(-1.0, -1.0, 1.0).asDiagonal(), Vector6::Zero()) == kGround);
-    CHECK(problem.add_body(1.0, Vector3(1.0, -1.0, -1.0).asDiagonal(), Vector6::Zero()) == kGround);
-    Matrix3 skewed = Matrix3::Identity();
-    skewed(0, 1) = 0.5;
-    CHECK(problem.add_body(1.0, skewed, Vector6::Zero()) == kGround);
-    constexpr double kDenormal = 1.0e-310;
-    CHECK(problem.add_body(kDenormal, Matrix3::Identity(), Vector6::Zero()) == kGround);
-    REQUIRE(problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero()) == 0);
-    ContactConstraint contact;
-    contact.body_b = 0;
-    CHECK(problem.add_contact(contact));
-    CHECK(problem.contacts()[0].weight_per_kg == 3.0);
-    contact.arm_b.setConstant(1.0e200);
-    CHECK_FALSE(problem.add_contact(contact));
+TEST_CASE("complementarity: a contact's residual is the velocity that does not fit") {
+    const auto residual = [](const Vector3& u, const Vector3& p) {
+        return compute_residual(FrictionShape::cone, 0.5, 2.0, u, p);
+    };
+    // What pushes: the velocity left.
+    CHECK(std::abs(residual({0.01, 0.0, 0.0}, {1.0, 0.0, 0.0}) - 0.01) <= kExact);
+    CHECK(std::abs(residual({-0.01, 0.0, 0.0}, {1.0, 0.0, 0.0}) - 0.01) <= kExact);
+    CHECK(std::abs(residual({0.0, 0.02, 0.0}, {1.0, 0.1, 0.0}) - 0.02) <= kExact);
+    // What does not: nothing where bodies part, all of their approach.
+    CHECK(residual({0.3, 7.0, 0.0}, Vector3::Zero()) == 0.0);
+    CHECK(residual({-0.3, 0.0, 0.0}, Vector3::Zero()) == 0.3);
+    // A drag at its bound: nothing where it is against the slip.
+    CHECK(residual({0.0, -0.3, 0.0}, {1.0, 0.5, 0.0}) <= kExact);
+    CHECK(residual({0.0, 0.3, 0.0}, {1.0, 0.5, 0.0}) > 0.1);
+    // Beyond it, and pulling.
+    CHECK(residual(Vector3::Zero(), {1.0, 0.75, 0.0}) == 0.5);
+    CHECK(residual(Vector3::Zero(), {-1.0, 0.0, 0.0}) == 2.0);
+}
+TEST_CASE("complementarity: a row's is what is left between its bounds, or against them") {
     RowConstraint row;
-    row.body_b = 0;
-    row.jacobian_b.setConstant(1.0e200);
-    CHECK_FALSE(problem.add_row(row));
-    row.jacobian_b.setConstant(1.0e-160);
-    CHECK_FALSE(problem.add_row(row));
-    CHECK(problem.n_dropped() == 7);
+    row.least = -1.0;
+    row.most = 2.0;
+    CHECK(std::abs(compute_residual(row, 4.0, 0.25, 0.5) - 0.25) <= kExact);
+    CHECK(compute_residual(row, 4.0, -3.0, 2.0) == 0.0);
+    CHECK(compute_residual(row, 4.0, 3.0, -1.0) == 0.0);
+    CHECK(compute_residual(row, 4.0, 3.0, 2.0) == 3.0);
+    CHECK(compute_residual(row, 4.0, 0.0, 2.5) == 2.0);
+}
+TEST_CASE("complementarity: impulses keep the momentum of bodies that touch only each other") {
+    const std::array<Vector3, 2> places{Vector3(0.0, 0.0, 0.0), Vector3(0.3, 0.4, 0.1)};
+    ContactProblem problem({2, 1, 1});
+    problem.add_body(2.0, ball_inertia(2.0, 0.3), moving({1.0, 2.0, 3.0}, {0.5, 0.0, 1.0}));
+    problem.add_body(3.0, ball_inertia(3.0, 0.2), moving({-1.0, 0.0, 1.0}, {0.0, 2.0, 0.0}));
+    ContactConstraint contact =
+        contact_at(0, places[0], 1, places[1], {0.1, 0.2, 0.0}, compute_direction(places[1]), 0.4);
+    contact.impulse_Ns = {1.0, 0.3, -0.2};
+    problem.add_contact(contact);
+    const Vector6 before = total_momentum(problem, places, true);
+    BodyMotion motion(2);
+    apply_impulses(problem, motion);
+    CHECK((total_momentum(problem, places, false) - before).cwiseAbs().maxCoeff() <= 1.0e-14);
+    CHECK((problem.bodies()[1].velocity_W - problem.bodies()[1].free_velocity_W).norm() > 0.1);
+    const std::array<double, 1> friction{0.4};
+    CHECK(compute_residual(problem, FrictionShape::cone, friction) > 0.1);
+}
+TEST_CASE("complementarity: what is no number does not read as an answer, wherever it stands") {
+    CHECK(take_worse(1.0, 2.0) == 2.0);
+    CHECK(take_worse(2.0, 1.0) == 2.0);
+    CHECK(std::isnan(take_worse(kNone, 1.0)));
+    CHECK(std::isnan(take_worse(1.0, kNone)));
+    for (int k = 0; k < 3; ++k) {
+        Vector3 y = Vector3::Zero();
+        y[k] = kNone;
+        CHECK(
+            std::isnan(compute_residual(FrictionShape::cone, 0.5, 2.0, y, Vector3(1.0, 0.0, 0.0))));
+    }
+    // A bad contact before a good one, and after it.
+    for (const std::size_t bad : {std::size_t{0}, std::size_t{1}}) {
+        ContactProblem problem({1, 2, 0});
+        problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
+        for (int i = 0; i < 2; ++i) {
+            problem.add_contact(on_ground());
+        }
+        problem.contacts()[bad].impulse_Ns.setConstant(kNone);
+        const std::array<double, 2> friction{0.5, 0.5};
+        CHECK_FALSE(compute_residual(problem, FrictionShape::cone, friction) <= 1.0);
+    }
+}
+TEST_CASE("complementarity: the ground stands in the next problem, whatever was pushed into it") {
+    ContactProblem problem({1, 0, 0});
+    problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
+    BodyMotion motion(1);
+    motion.velocity(kGround).setConstant(kNone);
+    apply_impulses(problem, motion);
+    CHECK(motion.velocity(kGround) == Vector6(Vector6::Zero()));
 }
 
 }  // namespace

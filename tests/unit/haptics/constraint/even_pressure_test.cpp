@@ -82,9 +82,7 @@ TEST_CASE("even pressure: a load over an edge leaves the others free, and one ov
     CHECK(pressure.force_N(0) == Approx(2.0).margin(1.0e-5));
 }
 
-TEST_CASE(
-    "even pressure: of any contacts the shares press and add up to what is shared, and no other "
-    "shares are more even") {
+TEST_CASE("even pressure: shares press, add up to what is shared, and no others are more even") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     for (int i = 0; i < 400; ++i) {

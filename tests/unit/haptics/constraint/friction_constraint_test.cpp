@@ -1,6 +1,6 @@
 #include "haptics/constraint/friction_constraint.h"
 
-#include "haptics/math/split_mix.h"
+#include "tests/unit/haptics/constraint/held_tool.h"
 
 #include <catch2/catch.hpp>
 
@@ -11,7 +11,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kMass_kg = 0.05;
+using namespace held_tool;
+
 constexpr double kHalf_m = 0.02;
 const Vector3 kUp = Vector3::UnitY();
 
@@ -34,24 +35,6 @@ FrictionConstraintSolver solver_of(const std::vector<Held>& contacts) {
     }
     return solver;
 }
-
-Vector6 six(const Vector3& linear, const Vector3& angular = Vector3::Zero()) {
-    Vector6 v;
-    v << linear, angular;
-    return v;
-}
-
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : chance_(seed) {}
-    double draw(double low, double high) { return low + (high - low) * chance_.draw_chance(); }
-    Vector3 draw_vector(double size) {
-        return {draw(-size, size), draw(-size, size), draw(-size, size)};
-    }
-
-  private:
-    SplitMix chance_;
-};
 
 // n x n contacts under a cube.
 std::vector<Held> under_a_cube(int n, double friction) {
@@ -99,9 +82,7 @@ void check_law(const std::vector<Held>& contacts, const FrictionConstraintSolver
     REQUIRE((answer.force - sum).norm() <= 1.0e-9 * force_scale);
 }
 
-TEST_CASE(
-    "friction constraint: pressed through its middle it sticks below mu and slides beyond, held "
-    "back by mu times what presses, by one contact or by a hundred") {
+TEST_CASE("friction constraint: pressed through its middle it sticks below mu and slides beyond") {
     const int n = GENERATE(1, 2, 10);
     const double along = GENERATE(0.0, 0.29, 0.31, 2.0);
     const double press = GENERATE(1.0e-9, 1.0e-3, 1.0);
@@ -135,7 +116,7 @@ TEST_CASE("friction constraint: turned about what presses it, four corners hold 
 }
 
 TEST_CASE("friction constraint: by chance the law holds at each contact") {
-    Random random(1);
+    Chance random(1);
     int n_slid = 0;
     int n_inexact = 0;
     constexpr int kTrials = 1500;
@@ -174,7 +155,7 @@ TEST_CASE("friction constraint: by chance the law holds at each contact") {
 }
 
 TEST_CASE("friction constraint: without friction it is the least constraint") {
-    Random random(2);
+    Chance random(2);
     for (int i = 0; i < 500; ++i) {
         FrictionConstraintSolver solver(16);
         LeastConstraintSolver plain(16);
@@ -182,7 +163,7 @@ TEST_CASE("friction constraint: without friction it is the least constraint") {
         REQUIRE(plain.set_inertia(kMass_kg, bar_inertia()));
         for (int k = 0; k < 8; ++k) {
             const Vector3 arm = random.draw_vector(kHalf_m);
-            const Vector3 normal = random.draw_vector(1.0).normalized();
+            const Vector3 normal = random.draw_direction();
             const double least = -random.draw(0.0, 1.0e-4);
             REQUIRE(solver.add(arm, normal, least, 0.0));
             REQUIRE(plain.add(arm, normal, least));
@@ -197,9 +178,7 @@ TEST_CASE("friction constraint: without friction it is the least constraint") {
     }
 }
 
-TEST_CASE(
-    "friction constraint: between walls that narrow nothing moves, and where "
-    "no answer is found what is given makes no energy") {
+TEST_CASE("friction constraint: between narrowing walls nothing moves or gains energy") {
     SECTION("between walls that lean by 0.5 rad, pressed in: whatever holds along them") {
         const double slope = 1.0 / std::tan(0.5);
         const Vector3 left(std::sin(0.5), std::cos(0.5), 0.0);
@@ -216,12 +195,12 @@ TEST_CASE(
         }
     }
     SECTION("among contacts from all sides") {
-        Random random(3);
+        Chance random(3);
         int n_inexact = 0;
         for (int i = 0; i < 400; ++i) {
             std::vector<Held> contacts;
             for (int k = 0; k < 12; ++k) {
-                contacts.push_back({random.draw_vector(0.03), random.draw_vector(1.0).normalized(),
+                contacts.push_back({random.draw_vector(0.03), random.draw_direction(),
                                     -random.draw(0.0, 1.0e-5), 1.0});
             }
             FrictionConstraintSolver solver = solver_of(contacts);
@@ -238,10 +217,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "friction constraint: what is told of the force is what the contacts push with, found to the "
-    "end or not, by the thousand too") {
-    Random random(7);
+TEST_CASE("friction constraint: the force told is what the contacts push, by the thousand too") {
+    Chance random(7);
     int n_inexact = 0;
     for (const std::size_t n : {30U, 100U, 1000U}) {
         for (int i = 0; i < 10; ++i) {
@@ -326,9 +303,7 @@ TEST_CASE("friction constraint: what is no number, or has no room, is refused") 
     CHECK(solver.force_W(0) == Vector3::Zero());
 }
 
-TEST_CASE(
-    "friction constraint: after a way of any other size it answers, and what it calls exact is a "
-    "number") {
+TEST_CASE("friction constraint: after a way of any size it answers, and by numbers") {
     FrictionConstraintSolver solver = solver_of(under_a_cube(2, 0.3));
     for (const double size : {1.0, 1.0e150, 1.0e-160, 1.0e-3, 1.0e150, 1.0}) {
         CAPTURE(size);

@@ -15,6 +15,11 @@ using namespace contact_scenes;
 
 constexpr double kLeast_m_per_s = 0.01;
 
+ImpactReport collide(ContactProblem& problem, std::vector<Vector6>& velocities) {
+    ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
+    return ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+}
+
 // Balls of 1 kg and 0.1 m in a row along x, each touching the next.
 struct Row {
     ContactProblem problem;
@@ -33,10 +38,7 @@ struct Row {
             problem.add_contact(contact);
         }
     }
-    ImpactReport meet() {
-        ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
-        return ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
-    }
+    ImpactReport meet() { return collide(problem, velocities); }
 };
 
 double energy_of(const ContactProblem& problem, std::span<const Vector6> velocities) {
@@ -101,9 +103,7 @@ TEST_CASE("impact: what lies under a ball without restitution of its own stays u
     top.restitution = 0.5;
     problem.add_contact(top);
     std::vector<Vector6> velocities{Vector6::Zero(), Vector6::Zero(), moving({0.0, -2.0, 0.0})};
-    ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
-    const ImpactReport report =
-        ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+    const ImpactReport report = collide(problem, velocities);
     CHECK(report.n_rounds == 1);
     CHECK(velocities[0].cwiseAbs().maxCoeff() <= kSolved);
     CHECK(velocities[1].cwiseAbs().maxCoeff() <= kSolved);
@@ -140,9 +140,7 @@ TEST_CASE("impact: with friction too no energy is gained, and bodies alone keep 
         }
         const double before_J = energy_of(problem, velocities);
         const Vector6 sum = velocities[0] + velocities[1];
-        ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
-        const ImpactReport report =
-            ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+        const ImpactReport report = collide(problem, velocities);
         REQUIRE(report.done);
         REQUIRE(energy_of(problem, velocities) <= before_J * (1.0 + 1.0e-9));
         if (!on_ground) {
@@ -165,21 +163,14 @@ TEST_CASE("impact: a joint passes a blow on, a motor does not") {
         contact_at(0, Vector3::Zero(), 1, {0.2, 0.0, 0.0}, {0.1, 0.0, 0.0}, Vector3::UnitX());
     contact.restitution = 1.0;
     problem.add_contact(contact);
-    RowConstraint tie;
-    tie.body_a = 1;
-    tie.body_b = 2;
-    tie.jacobian_a << -Vector3::UnitX(), Vector3::Zero();
-    tie.jacobian_b << Vector3::UnitX(), Vector3::Zero();
-    tie.least = -HUGE_VAL;
-    tie.most = HUGE_VAL;
-    problem.add_row(tie);
-    RowConstraint motor = tie;
+    const RowConstraint tied = tie(1, moving(-Vector3::UnitX()), 2, moving(Vector3::UnitX()));
+    problem.add_row(tied);
+    RowConstraint motor = tied;
     motor.target = 5.0;
     motor.least = -1.0;
     motor.most = 1.0;
     problem.add_row(motor);
-    ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
-    (void)ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+    (void)collide(problem, velocities);
     // 1 kg against 2 kg: -1/3 and 2/3.
     CHECK(velocities[0].x() == Approx(-1.0 / 3.0));
     CHECK(velocities[1].x() == Approx(2.0 / 3.0));
