@@ -1,10 +1,14 @@
+// Intervals that hold the exact result (interval.h), and what is made of them: the height of a contact over a turn (turn_function.h).
 #include "haptics/continuous/interval.h"
 
+#include "haptics/continuous/turn_function.h"
+#include "tests/support/continuous_trial.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cfenv>
 #include <cmath>
 #include <limits>
@@ -28,12 +32,10 @@ double draw_number(Random& random) {
     return random.uniform() *
            std::pow(10.0, which % 2 == 0 ? 3.0 * random.uniform() : 300.0 * random.uniform());
 }
-
 struct Drawn {
     Interval all;
     double one = 0.0;  // in it
 };
-
 Drawn draw_interval(Random& random) {
     const double first = draw_number(random);
     switch (random.integer() % 8) {
@@ -55,13 +57,11 @@ Drawn draw_interval(Random& random) {
         }
     }
 }
-
 // Is the exact result, held in more digits than a double has, within? (What a long double rounds is far below the bounds' reserve.)
 bool holds(const Interval& interval, long double exact) {
     return static_cast<long double>(interval.lower) <= exact &&
            exact <= static_cast<long double>(interval.upper);
 }
-
 void check_operations(unsigned seed, int n) {
     Random random(seed);
     for (int i = 0; i < n; ++i) {
@@ -85,11 +85,9 @@ void check_operations(unsigned seed, int n) {
         REQUIRE(a.greatest_magnitude() >= std::abs(x));
     }
 }
-
 TEST_CASE("interval: what an operation gives lies in what it gives of intervals") {
     check_operations(1, 20000);
 }
-
 // Any angle that has one; every third near a quarter of pi, where the series change.
 double draw_angle(Random& random, int i) {
     const double angle = i % 3 == 0
@@ -98,7 +96,6 @@ double draw_angle(Random& random, int i) {
                              : 1.6 + 1.6 * random.uniform();
     return std::clamp(angle, 0.0, kMostAngle_rad);
 }
-
 // The greatest error of sine and cosine.
 double find_sine_error(unsigned seed, int n) {
     Random random(seed);
@@ -111,7 +108,6 @@ double find_sine_error(unsigned seed, int n) {
     }
     return static_cast<double>(worst);
 }
-
 void check_sine_intervals(unsigned seed, int n) {
     Random random(seed);
     for (int i = 0; i < n; ++i) {
@@ -136,7 +132,6 @@ void check_sine_intervals(unsigned seed, int n) {
         }
     }
 }
-
 TEST_CASE("interval: so it does whichever way the processor rounds, sine and cosine too") {
     struct RestoredMode {
         ~RestoredMode() { std::fesetround(FE_TONEAREST); }
@@ -149,7 +144,6 @@ TEST_CASE("interval: so it does whichever way the processor rounds, sine and cos
         CHECK(find_sine_error(6, 50000) < kSineError);
     }
 }
-
 TEST_CASE("interval: no number is claimed where there is none") {
     for (const Interval& none :
          {Interval::at(kNone), Interval::between(kNone, 1.0), Interval::between(1.0, kNone),
@@ -175,14 +169,12 @@ TEST_CASE("interval: no number is claimed where there is none") {
     CHECK(is_empty(intersect(Interval{0.0, 1.0}, Interval{2.0, 3.0})));
     CHECK_FALSE(is_empty(intersect(Interval{0.0, 1.0}, Interval{1.0, 3.0})));
 }
-
 TEST_CASE("interval: it is four units in the last place wide, not more") {
     const Interval sum = Interval::at(1.0) + Interval::at(2.0);
     CHECK(sum.upper - sum.lower <= 3.0 * 0x1.0p-48);
     CHECK(sum.lower < 3.0);
     CHECK(sum.upper > 3.0);
 }
-
 TEST_CASE("interval: sine and cosine are within 2^-50, by the C library's in more digits") {
     CHECK(find_sine_error(3, 400000) < 0.5 * kSineError);
     CHECK(compute_sine_cosine(0.0).sine == 0.0);
@@ -192,9 +184,7 @@ TEST_CASE("interval: sine and cosine are within 2^-50, by the C library's in mor
         CHECK(std::isnan(compute_sine_cosine(bad).cosine));
     }
 }
-
-TEST_CASE(
-    "interval: sine and cosine of an interval hold those of every angle in it, and little more") {
+TEST_CASE("interval: sine and cosine hold those of every angle in it, and little more") {
     check_sine_intervals(4, 100000);
     CHECK(enclose_sine_cosine(Interval::all()).sine.lower == -1.0);
     CHECK(enclose_sine_cosine({-0.1, 0.1}).cosine.upper == 1.0);
@@ -204,6 +194,102 @@ TEST_CASE(
     CHECK(still.sine.greatest_magnitude() < 1.0e-14);
     CHECK(enclose_sine_cosine({0.0, M_PI}).cosine.lower == -1.0);
     CHECK(enclose_sine_cosine({0.0, M_PI}).sine.upper == 1.0);
+}
+
+struct Named {
+    FeaturePair pair;
+    std::uint8_t i;
+    std::uint8_t j;
+};
+
+using LongVector = Matrix<long double, 3, 1>;
+using LongTriangle = std::array<LongVector, 3>;
+
+// Where the corners' paths are at t, in eleven binary digits more than the bounds have: a path's vectors are what they are.
+LongTriangle find_long_place(const InBetweenMotion& motion, const MovingTriangle& moving,
+                             double t) {
+    const long double angle = static_cast<long double>(t) * motion.angle_rad();
+    LongTriangle place;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const PointPath& path = moving.corners[i];
+        place[i] = path.a.cast<long double>() +
+                   static_cast<long double>(t) * motion.travel_A().cast<long double>() +
+                   std::cos(angle) * path.b.cast<long double>() +
+                   std::sin(angle) * path.c.cast<long double>();
+    }
+    return place;
+}
+
+LongVector find_normal(const LongTriangle& t) {
+    return (t[1] - t[0]).cross(t[2] - t[0]);
+}
+LongVector find_edge(const LongTriangle& t, std::uint8_t i) {
+    return t[(i + 1U) % 3U] - t[i];
+}
+
+// Redon's equation as it stands, from corners at t; and what a metre makes of it at most: the length of the normal, of two edges that of both.
+struct Height {
+    long double here, per_m;
+};
+Height find_height(const Named& named, const LongTriangle& fixed, const LongTriangle& moving) {
+    if (named.pair == FeaturePair::face_vertex) {
+        const LongVector normal = find_normal(fixed);
+        return {normal.dot(moving[named.j] - fixed[0]), normal.norm()};
+    }
+    if (named.pair == FeaturePair::vertex_face) {
+        const LongVector normal = find_normal(moving);
+        return {normal.dot(fixed[named.i] - moving[0]), normal.norm()};
+    }
+    const LongVector held = find_edge(fixed, named.i);
+    const LongVector edge = find_edge(moving, named.j);
+    return {held.cross(edge).dot(moving[named.j] - fixed[named.i]), held.norm() * edge.norm()};
+}
+
+TEST_CASE("turn function: it holds heights and rates of all fifteen contacts, without a margin") {
+    Random random(1);
+    for (int trial = 0; trial < 400; ++trial) {
+        const TrianglePair pair =
+            trial % 4 == 0 ? draw_hard_pair(random, trial / 4 % kHardPairs) : draw_pair(random);
+        const InBetweenMotion motion = pair.motion();
+        const MovingTriangle moving = MovingTriangle::of(motion, pair.moving_B);
+        const SweepBounds bounds =
+            SweepBounds::of(motion, moving.reach_m, find_reach_m(pair.fixed_A), {});
+        const LongTriangle fixed{pair.fixed_A[0].cast<long double>(),
+                                 pair.fixed_A[1].cast<long double>(),
+                                 pair.fixed_A[2].cast<long double>()};
+        for (std::uint8_t k = 0; k < 15; ++k) {
+            const Named named =
+                k < 3   ? Named{FeaturePair::face_vertex, 0, k}
+                : k < 6 ? Named{FeaturePair::vertex_face, static_cast<std::uint8_t>(k - 3), 0}
+                        : Named{FeaturePair::edge_edge, static_cast<std::uint8_t>((k - 6) / 3),
+                                static_cast<std::uint8_t>((k - 6) % 3)};
+            const TurnFunction f = make_turn_function(motion, pair.fixed_A, moving, named.pair,
+                                                      named.i, named.j, bounds);
+            const double t = 0.5 + 0.499 * random.uniform();
+            const auto height = [&](double at) {
+                return find_height(named, fixed, find_long_place(motion, moving, at)).here;
+            };
+            const double size = bounds.length_m * bounds.length_m * bounds.length_m;
+            const Interval times = Interval::between(t, std::min(1.0, t + 1.0e-3));
+            const Interval here = f.find_value(Interval::at(t), motion.turn_over(Interval::at(t)));
+            CAPTURE(trial, k, t);
+            REQUIRE(holds(here, height(t)));
+            REQUIRE(here.upper - here.lower <= 1.0e-11 * size);
+            const Interval over = f.find_value(times, motion.turn_over(times));
+            REQUIRE(holds(over, height(times.upper)));
+            // The mean value theorem, with the rate over all of the time.
+            const Interval rate = f.find_rate(times, motion.turn_over(times));
+            const Interval passed = Interval::at(times.upper) - Interval::at(t);
+            REQUIRE(holds(here + rate * passed, height(times.upper)));
+            REQUIRE(rate.upper - rate.lower <= 0.1 * size);
+            // A metre more of distance is at most so much, and no bound is far above it.
+            const long double per_m =
+                find_height(named, fixed, find_long_place(motion, moving, 0.0)).per_m;
+            REQUIRE(static_cast<long double>(f.per_m) >= per_m);
+            REQUIRE(static_cast<long double>(f.per_m) <=
+                    per_m + 1.0e-12L * bounds.length_m * bounds.length_m);
+        }
+    }
 }
 
 }  // namespace
