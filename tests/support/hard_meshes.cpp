@@ -1,5 +1,7 @@
 #include "tests/support/hard_meshes.h"
 
+#include "haptics/geometry/shape.h"
+#include "tests/support/hollow_meshes.h"
 #include "tests/support/wander.h"
 
 #include <cmath>
@@ -150,14 +152,7 @@ Expected<TriangleMesh> make_t_junctions(const TriangleMesh& mesh) {
 }
 
 Expected<TriangleMesh> make_hollow(const TriangleMesh& outside, const TriangleMesh& hollow) {
-    std::vector<Vector3> vertices = outside.vertices_B();
-    std::vector<TriangleCorners> triangles = outside.triangles();
-    const auto first = static_cast<std::int32_t>(vertices.size());
-    vertices.insert(vertices.end(), hollow.vertices_B().begin(), hollow.vertices_B().end());
-    for (const TriangleCorners& t : hollow.triangles()) {
-        triangles.push_back({first + t[0], first + t[2], first + t[1]});
-    }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles));
+    return make_both(outside, *make_inverted(hollow), Vector3::Zero());
 }
 
 }  // namespace fulcrum

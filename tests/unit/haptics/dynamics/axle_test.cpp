@@ -1,5 +1,7 @@
 #include "haptics/dynamics/axle.h"
 
+#include "tests/support/refusals.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -187,33 +189,30 @@ TEST_CASE("axle: what is no time and no torque moves nothing") {
 }
 
 TEST_CASE("axle: settings out of range are refused with a sentence") {
-    CHECK(validate(make_pendulum()));
-    const auto refusal = [](auto change) {
-        AxleSettings axle = make_pendulum();
-        change(axle);
-        const auto checked = validate(axle);
-        return checked ? std::string() : to_sentence(checked.error());
-    };
-    CHECK(refusal([](AxleSettings& a) { a.inertia_kg_m2 = 0.0; }) ==
+    using A = AxleSettings;
+    check_refused(make_pendulum(), {{&A::inertia_kg_m2, 0.0},
+                                    {&A::friction_Nm, -1.0},
+                                    {&A::highest_rad, -2e9},
+                                    {&A::mass_kg, -1.0},
+                                    {&A::load_N, std::nan("")},
+                                    [](A& a) { a.axis_W *= 2.0; },
+                                    [](A& a) {
+                                        a.lowest_rad = 1.0;
+                                        a.highest_rad = 0.5;
+                                    },
+                                    [](A& a) { a.centre_B.x() = std::nan(""); },
+                                    [](A& a) { a.load_B.x() = std::nan(""); }});
+    AxleSettings still = make_pendulum();
+    still.inertia_kg_m2 = 0.0;
+    CHECK(to_sentence(validate(still).error()) ==
           "an axle's inertia in kilogram square metres is 0, outside the range 0.0001 to 1e+06; "
           "set it within that range.");
-    CHECK(refusal([](AxleSettings& a) { a.axis_W *= 2.0; }) != "");
-    CHECK(refusal([](AxleSettings& a) { a.friction_Nm = -1.0; }) != "");
-    CHECK(refusal([](AxleSettings& a) { a.highest_rad = -2e9; }) != "");
-    CHECK(refusal([](AxleSettings& a) {
-              a.lowest_rad = 1.0;
-              a.highest_rad = 0.5;
-          }) != "");
-    CHECK(refusal([](AxleSettings& a) { a.mass_kg = -1.0; }) != "");
-    CHECK(refusal([](AxleSettings& a) { a.centre_B.x() = std::nan(""); }) != "");
     // 1 kg 1 m from the pivot has 1 kg m^2 about it at least.
+    AxleSettings light = make_pendulum();
+    light.mass_kg = 1.0;
+    light.centre_B = light.pivot_B + Vector3(1.0, 0.0, 0.0);
     CHECK(
-        refusal([](AxleSettings& a) {
-            a.mass_kg = 1.0;
-            a.centre_B = a.pivot_B + Vector3(1.0, 0.0, 0.0);
-        }) ==
+        to_sentence(validate(light).error()) ==
         "an axle's inertia is 0.05 kg m^2, and its mass alone, where its centre lies, has 1 about "
         "the pivot; give it that much at least, or less mass.");
-    CHECK(refusal([](AxleSettings& a) { a.load_N = std::nan(""); }) != "");
-    CHECK(refusal([](AxleSettings& a) { a.load_B.x() = std::nan(""); }) != "");
 }

@@ -1,10 +1,13 @@
 #include "haptics/dynamics/integrator.h"
 
+#include "tests/support/refusals.h"
 #include "tests/unit/haptics/dynamics/integrator_fixture.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -13,39 +16,54 @@ using namespace fulcrum::test;
 
 namespace {
 
-// 0.1 kg on 100 N/m, damping ratio 0.1: 5 Hz.
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// A problem whose end is known, and how finely it is stepped.
+struct Problem {
+    const Load& load;
+    RigidState start, end;
+    double duration_s;
+    double reach_m;            // of the point whose error counts
+    std::array<int, 3> steps;  // by methods of order 1, 2 and 4
+    double order_within;
+    int finer;  // so many times as many steps leave less than `most_m`
+    double most_m;
+};
+
+void check_order(const Problem& problem) {
+    for (const Integrator integrator : kIntegrators) {
+        CAPTURE(to_string(integrator));
+        const auto error_of = [&](int n) {
+            const RigidState end = run(settings_of(integrator), kBlock, problem.load, problem.start,
+                                       problem.duration_s, n);
+            return distance_m(end, problem.end, problem.reach_m);
+        };
+        const double order = theoretical_order(integrator);
+        const int n = problem.steps[order == 1.0 ? 0 : order == 2.0 ? 1 : 2];
+        CHECK(std::abs(measure_order(error_of, n) - order) < problem.order_within);
+        CHECK(error_of(problem.finer * n) < problem.most_m);
+    }
+}
+
+// The same, its end by RK4 in so many steps.
+RigidState converge(const Load& load, const RigidState& start, double duration_s, int n) {
+    return run(settings_of(Integrator::runge_kutta_4), kBlock, load, start, duration_s, n);
+}
+
+// 0.1 kg on 100 N/m, damping ratio 0.1: 5 Hz. x'' + 2 z w x' + w^2 x = 0 from x0 at rest.
 const PointSpringLoad kOscillator({.stiffness_N_per_m = 100.0, .damping_Ns_per_m = 0.632});
 
-// x'' + 2 z w x' + w^2 x = 0 from x0 at rest.
-double oscillator_m(double time_s, double start_m) {
+Problem make_oscillation() {
+    constexpr double kTime_s = 0.35;
     const double w = std::sqrt(100.0 / 0.1);
     const double decay = 0.632 / 0.2;
     const double ringing = std::sqrt(w * w - decay * decay);
-    return start_m * std::exp(-decay * time_s) *
-           (std::cos(ringing * time_s) + decay / ringing * std::sin(ringing * time_s));
-}
-
-double oscillator_error(const IntegratorSettings& settings, int n) {
-    RigidState state;
-    state.pose_W.position = {0.01, 0.0, 0.0};
-    state = run(settings, kBlock, kOscillator, state, 0.35, n);
-    return std::abs(state.pose_W.position.x() - oscillator_m(0.35, 0.01));
-}
-
-// The block on a coupling with a grip off its centre; the handle moves and turns evenly.
-double coupling_error(const IntegratorSettings& settings, int n, const RigidState& converged) {
-    ToolCouplingLoad load(make_critically_damped({}, kBlock.mass_kg, kBlock.moments_kg_m2),
-                          {0.01, 0.0, 0.02});
-    load.set_handle({Pose::at(Vector3::Zero()), {{0.1, 0.0, 0.05}, {0.0, 1.0, 2.0}}}, 0.0);
-    const RigidState state = run(settings, kBlock, load, any_state(), 0.05, n);
-    return n == 0 ? 0.0 : distance_m(state, converged, 0.03);
-}
-
-RigidState converged_coupling() {
-    ToolCouplingLoad load(make_critically_damped({}, kBlock.mass_kg, kBlock.moments_kg_m2),
-                          {0.01, 0.0, 0.02});
-    load.set_handle({Pose::at(Vector3::Zero()), {{0.1, 0.0, 0.05}, {0.0, 1.0, 2.0}}}, 0.0);
-    return run(settings_of(Integrator::runge_kutta_4), kBlock, load, any_state(), 0.05, 20000);
+    Problem problem{kOscillator, {}, {}, kTime_s, 0.0, {600, 600, 60}, 0.1, 4, 1.0e-4};
+    problem.start.pose_W.position.x() = 0.01;
+    problem.end.pose_W.position.x() =
+        0.01 * std::exp(-decay * kTime_s) *
+        (std::cos(ringing * kTime_s) + decay / ringing * std::sin(ringing * kTime_s));
+    return problem;
 }
 
 // Pressed on a plane by its weight and a spring, on three points, and never off it.
@@ -72,72 +90,64 @@ struct Pressed {
 
 }  // namespace
 
-TEST_CASE("integrator: each converges to a damped oscillation in closed form at its order") {
-    for (const Integrator integrator : kIntegrators) {
-        CAPTURE(to_string(integrator));
-        const auto error_of = [&](int n) { return oscillator_error(settings_of(integrator), n); };
-        const int n = integrator == Integrator::runge_kutta_4 ? 60 : 600;
-        CHECK(std::abs(measure_order(error_of, n) - theoretical_order(integrator)) < 0.1);
-        CHECK(error_of(4 * n) < 1.0e-4);
+TEST_CASE("integrator: each converges at its order") {
+    SECTION("to a damped oscillation in closed form") {
+        check_order(make_oscillation());
+    }
+    SECTION("to torque-free rotation about the middle axis") {
+        // Into the first somersault. (At its end RK4's leading error cancels, and it looks like order 5.)
+        FreeRotation exact(kBlock.moments_kg_m2, 10.0, 0.999);
+        const double duration_s = 0.45 * exact.somersault_s();
+        check_order({Loads<>(),
+                     exact.compute_state(0.0),
+                     exact.compute_state(duration_s),
+                     duration_s,
+                     1.0,
+                     {40000, 2000, 200},
+                     0.15,
+                     2,
+                     0.02});
+    }
+    SECTION("on a coupling, with a grip off its centre, to a handle that moves and turns evenly") {
+        ToolCouplingLoad load(make_critically_damped({}, kBlock.mass_kg, kBlock.moments_kg_m2),
+                              {0.01, 0.0, 0.02});
+        load.set_handle({Pose::at(Vector3::Zero()), {{0.1, 0.0, 0.05}, {0.0, 1.0, 2.0}}}, 0.0);
+        check_order({load,
+                     any_state(),
+                     converge(load, any_state(), 0.05, 20000),
+                     0.05,
+                     0.03,
+                     {1000, 1000, 200},
+                     0.15,
+                     2,
+                     1.0e-4});
+    }
+    SECTION("in a stiff contact that is not left") {
+        const Pressed pressed;
+        check_order({pressed.load,
+                     pressed.start,
+                     converge(pressed.load, pressed.start, 0.03, 30000),
+                     0.03,
+                     0.03,
+                     {2000, 2000, 200},
+                     0.15,
+                     2,
+                     1.0e-4});
     }
 }
 
 TEST_CASE("integrator: Verlet's order under a damper is that of the velocity it is given") {
-    IntegratorSettings settings = settings_of(Integrator::verlet);
-    const auto error_of = [&](int n) { return oscillator_error(settings, n); };
-    settings.verlet_velocity = VerletVelocity::start_of_step;
-    CHECK(std::abs(measure_order(error_of, 600) - 1.0) < 0.1);
-    settings.verlet_velocity = VerletVelocity::predicted_midpoint;
-    CHECK(std::abs(measure_order(error_of, 600) - 2.0) < 0.1);
-}
-
-TEST_CASE("integrator: each converges to torque-free rotation about the middle axis at its order") {
-    // Into the first somersault. (At its end RK4's leading error cancels, and it looks like order 5.)
-    FreeRotation exact(kBlock.moments_kg_m2, 10.0, 0.999);
-    const double duration_s = 0.45 * exact.somersault_s();
-    const RigidState start = exact.compute_state(0.0);
-    const RigidState end = exact.compute_state(duration_s);
-    for (const Integrator integrator : kIntegrators) {
-        CAPTURE(to_string(integrator));
-        const auto error_of = [&](int n) {
-            return compute_angle_rad(
-                run(settings_of(integrator), kBlock, Loads<>(), start, duration_s, n)
-                    .pose_W.orientation,
-                end.pose_W.orientation);
-        };
-        const double order = theoretical_order(integrator);
-        const int n = order == 1.0 ? 40000 : order == 2.0 ? 2000 : 200;
-        CHECK(std::abs(measure_order(error_of, n) - order) < 0.15);
-        CHECK(error_of(2 * n) < 0.02);
-    }
-}
-
-TEST_CASE("integrator: each converges on a coupling to a moving handle at its order") {
-    const RigidState converged = converged_coupling();
-    for (const Integrator integrator : kIntegrators) {
-        CAPTURE(to_string(integrator));
-        const auto error_of = [&](int n) {
-            return coupling_error(settings_of(integrator), n, converged);
-        };
-        const double order = theoretical_order(integrator);
-        CHECK(std::abs(measure_order(error_of, order == 4.0 ? 200 : 1000) - order) < 0.15);
-        CHECK(error_of(2000) < 1.0e-4);
-    }
-}
-
-TEST_CASE("integrator: each converges in a stiff contact that is not left at its order") {
-    const Pressed pressed;
-    const RigidState converged = run(settings_of(Integrator::runge_kutta_4), kBlock, pressed.load,
-                                     pressed.start, 0.03, 30000);
-    for (const Integrator integrator : kIntegrators) {
-        CAPTURE(to_string(integrator));
+    const Problem problem = make_oscillation();
+    for (const bool at_start : {true, false}) {
+        IntegratorSettings settings = settings_of(Integrator::verlet);
+        settings.verlet_velocity =
+            at_start ? VerletVelocity::start_of_step : VerletVelocity::predicted_midpoint;
         const auto error_of = [&](int n) {
             return distance_m(
-                run(settings_of(integrator), kBlock, pressed.load, pressed.start, 0.03, n),
-                converged, 0.03);
+                run(settings, kBlock, kOscillator, problem.start, problem.duration_s, n),
+                problem.end, 0.0);
         };
-        const double order = theoretical_order(integrator);
-        CHECK(std::abs(measure_order(error_of, order == 4.0 ? 200 : 2000) - order) < 0.15);
+        CHECK(std::abs(measure_order(error_of, 600) - (at_start ? 1.0 : 2.0)) < 0.1);
     }
 }
 
@@ -153,10 +163,7 @@ TEST_CASE("integrator: without torque angular momentum stays, with every one of 
         CHECK((state.velocity_W.linear - any_state().velocity_W.linear).norm() < 1.0e-12);
     }
 }
-
-TEST_CASE(
-    "integrator: a free spin keeps its energy with Verlet and RK4 and loses it with backward "
-    "Euler") {
+TEST_CASE("integrator: a free spin keeps its energy with Verlet and RK4, backward Euler loses it") {
     FreeRotation exact(kBlock.moments_kg_m2, 10.0, 0.999);
     const RigidState start = exact.compute_state(0.0);
     const double energy_J = compute_kinetic_energy_J(kBlock, start);
@@ -173,10 +180,7 @@ TEST_CASE(
         std::pow(exact.angular_momentum(), 2) / (2.0 * kBlock.moments_kg_m2.maxCoeff() * energy_J);
     CHECK(1.0 + change(Integrator::backward_euler) >= least * (1.0 - 1.0e-9));
 }
-
-TEST_CASE(
-    "integrator: an undamped spring keeps its energy with the symplectic ones, gains with "
-    "explicit, loses with backward Euler") {
+TEST_CASE("integrator: an undamped spring keeps its energy with the symplectic ones alone") {
     const PointSpringLoad spring({.stiffness_N_per_m = 100.0});
     RigidState start;
     start.pose_W.position = {0.01, 0.0, 0.0};
@@ -201,7 +205,6 @@ TEST_CASE(
     CHECK(worst(Integrator::explicit_euler) > 1.0e3);
     CHECK(worst(Integrator::backward_euler) < -0.999);
 }
-
 TEST_CASE("integrator: Verlet retraces its way when velocities are turned round") {
     const PointSpringLoad spring(
         {.point_B = {0.02, 0.01, 0.0}, .anchor_W = {0.0, 0.03, 0.01}, .stiffness_N_per_m = 100.0});
@@ -212,7 +215,6 @@ TEST_CASE("integrator: Verlet retraces its way when velocities are turned round"
     state = run(settings, kBlock, spring, state, 1.0, 500);
     CHECK(distance_m(state, any_state(), 0.03) < 1.0e-10);
 }
-
 TEST_CASE("integrator: Verlet turns a body with two equal moments freely as it does, in one step") {
     // R(t) = exp(t L / I) R(0) exp(t (1/I_3 - 1/I) L_3 e_3): it goes round L, and about itself.
     for (const double about : {1.0e-7, 4.0e-5}) {
@@ -230,7 +232,6 @@ TEST_CASE("integrator: Verlet turns a body with two equal moments freely as it d
         CHECK(compute_kinetic_energy_J(top, state) == Approx(energy_J).epsilon(1.0e-12));
     }
 }
-
 TEST_CASE("integrator: a step of no length changes nothing") {
     const PointSpringLoad spring({.stiffness_N_per_m = 100.0, .damping_Ns_per_m = 1.0});
     for (const Integrator integrator : kIntegrators) {
@@ -244,16 +245,16 @@ TEST_CASE("integrator: a step of no length changes nothing") {
 }
 
 TEST_CASE("integrator: what is not finite is refused and the state stays as it was") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const ConstantLoad broken({.force = {0.0, nan, 0.0}});
+    const ConstantLoad broken({.force = {0.0, kNaN, 0.0}});
     const ConstantLoad endless({.torque = {0.0, 0.0, std::numeric_limits<double>::infinity()}});
     for (const Integrator integrator : kIntegrators) {
         CAPTURE(to_string(integrator));
-        for (const Load* load :
-             {static_cast<const Load*>(&broken), static_cast<const Load*>(&endless)}) {
+        const auto step = [&](const Load& load, RigidState& state) {
+            return step_rigid_body(settings_of(integrator), kBlock, load, 0.0, 0.001, state);
+        };
+        for (const ConstantLoad* load : {&broken, &endless}) {
             RigidState state = any_state();
-            const StepResult result =
-                step_rigid_body(settings_of(integrator), kBlock, *load, 0.0, 0.001, state);
+            const StepResult result = step(*load, state);
             CHECK(result.status == StepStatus::not_finite);
             CHECK_FALSE(result.moved());
             CHECK(distance_m(state, any_state(), 1.0) == 0.0);
@@ -261,9 +262,81 @@ TEST_CASE("integrator: what is not finite is refused and the state stays as it w
             CHECK(state.velocity_W.angular == any_state().velocity_W.angular);
         }
         RigidState lost = any_state();
-        lost.velocity_W.angular.y() = nan;
-        CHECK(
-            step_rigid_body(settings_of(integrator), kBlock, Loads<>(), 0.0, 0.001, lost).status ==
-            StepStatus::not_finite);
+        lost.velocity_W.angular.y() = kNaN;
+        CHECK(step(Loads<>(), lost).status == StepStatus::not_finite);
     }
+}
+
+// A torque about a fixed axis that follows time alone: t^3, which four stages integrate exactly (Simpson's rule).
+// A torque about a fixed axis that follows time alone: t^3, which four stages integrate exactly (Simpson's rule).
+class TimedTorque final : public Load {
+  public:
+    void add_wrench(const RigidState& /*state*/, double time_s,
+                    Wrench& wrench) const noexcept override {
+        wrench.force.x() += time_s * time_s * time_s;
+        wrench.torque.z() += 1.0e-4 * time_s * time_s;
+    }
+    void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
+                               WrenchJacobian& /*jacobian*/) const noexcept override {
+        add_wrench(state, time_s, wrench);
+    }
+};
+TEST_CASE("RK4: one step is exact for forces that are cubic in time") {
+    RigidState state;
+    step_rigid_body(settings_of(Integrator::runge_kutta_4), kBlock, TimedTorque(), 1.0, 0.5, state);
+    // The integral of t^3 from 1 to 1.5 over the mass; the torque's turns about z alone.
+    CHECK(state.velocity_W.linear.x() ==
+          Approx((std::pow(1.5, 4) - 1.0) / 4.0 / kBlock.mass_kg).epsilon(1e-12));
+    CHECK(
+        state.velocity_W.angular.z() ==
+        Approx(1.0e-4 * (std::pow(1.5, 3) - 1.0) / 3.0 / kBlock.moments_kg_m2.z()).epsilon(1e-12));
+}
+TEST_CASE("RK4: an even spin about a principal axis is exact at any step, past half a turn") {
+    RigidState state;
+    state.velocity_W.angular = {0.0, 0.0, 40.0};
+    step_rigid_body(settings_of(Integrator::runge_kutta_4), kBlock, Loads<>(), 0.0, 0.1, state);
+    CHECK(compute_angle_rad(state.pose_W.orientation, compute_exp({0.0, 0.0, 4.0})) < 1.0e-12);
+}
+TEST_CASE("RK4: matches the exact state of a body that turns freely, spin and all") {
+    FreeRotation exact(kBlock.moments_kg_m2, 10.0, 0.9);
+    const RigidState start = exact.compute_state(0.0);
+    const RigidState end = exact.compute_state(1.0);
+    const RigidState state =
+        run(settings_of(Integrator::runge_kutta_4), kBlock, Loads<>(), start, 1.0, 1000);
+    CHECK(compute_angle_rad(state.pose_W.orientation, end.pose_W.orientation) < 1.0e-8);
+    CHECK((state.velocity_W.angular - end.velocity_W.angular).norm() < 1.0e-7);
+}
+TEST_CASE("integrator settings: each has its name, and an unknown one is answered with the list") {
+    for (const Integrator integrator : kIntegrators) {
+        const auto found = find_integrator(to_string(integrator));
+        REQUIRE(found);
+        CHECK(*found == integrator);
+    }
+    CHECK(to_string(Integrator::runge_kutta_4) == "RK4");
+    const auto missing = find_integrator("leapfrog");
+    REQUIRE_FALSE(missing);
+    CHECK(missing.error().message.find("leapfrog") != std::string::npos);
+    CHECK(missing.error().what_to_do.find("backward Euler") != std::string::npos);
+}
+
+TEST_CASE("integrator settings: what is out of range, and inertia that no body has, is refused") {
+    using S = IntegratorSettings;
+    CHECK(S{}.integrator == Integrator::backward_euler);
+    check_refused(S{}, {{&S::least_way_m, -1.0e-9},
+                        {&S::least_turn_rad, 0.1},
+                        {&S::newton_iterations, 0},
+                        {&S::newton_iterations, 101},
+                        {&S::newton_tolerance_m_per_s, 0.0},
+                        {&S::newton_tolerance_rad_per_s, 2.0},
+                        {&S::newton_tolerance_rad_per_s, kNaN}});
+    CHECK(validate(Inertia{}));
+    CHECK(validate(make_box_inertia(0.1, {0.02, 0.03, 0.0})));
+    CHECK(validate(make_ball_inertia(0.01, 0.03)));
+    using I = Inertia;
+    check_refused(I{0.1, {1e-5, 1e-5, 1e-5}},
+                  {{&I::mass_kg, 0.0},
+                   {&I::mass_kg, std::numeric_limits<double>::infinity()},
+                   [](I& inertia) { inertia.moments_kg_m2.z() = 0.0; },
+                   [](I& inertia) { inertia.moments_kg_m2.z() = 2.1e-5; },
+                   [](I& inertia) { inertia.moments_kg_m2.y() = kNaN; }});
 }

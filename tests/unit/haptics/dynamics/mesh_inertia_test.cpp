@@ -1,14 +1,25 @@
+// Mass and moments: of meshes (mesh_inertia.h), of shapes (shape_inertia.h), and of a state that moves (rigid_state.h).
 #include "haptics/dynamics/mesh_inertia.h"
 
 #include "haptics/dynamics/integrator.h"
+#include "haptics/dynamics/rigid_state.h"
+#include "haptics/dynamics/shape_inertia.h"
 #include "haptics/geometry/shape.h"
+#include "haptics/math/rotation.h"
+#include "tests/support/distance_bodies.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/hollow_meshes.h"
+#include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -17,20 +28,6 @@ constexpr double kSteel_kg_per_m3 = 7850.0;
 // Of samples: one in each of 64^3 cubes, of which some thousands are cut by the surface.
 constexpr double kSampledMass = 0.003;
 constexpr double kSampledMoment = 0.005;
-
-// Both surfaces in one mesh, the second moved.
-TriangleMesh join(const TriangleMesh& first, const TriangleMesh& second, const Vector3& way) {
-    std::vector<Vector3> vertices = first.vertices_B();
-    std::vector<TriangleCorners> triangles = first.triangles();
-    const auto n = static_cast<std::int32_t>(vertices.size());
-    for (const Vector3& vertex : second.vertices_B()) {
-        vertices.emplace_back(vertex + way);
-    }
-    for (const TriangleCorners& t : second.triangles()) {
-        triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-    }
-    return *TriangleMesh::build(std::move(vertices), std::move(triangles), {.weld_relative = 0.0});
-}
 
 TEST_CASE("mesh inertia: a box has the inertia of a box, exactly, and its principal axes") {
     const Vector3 edges(0.3, 0.2, 0.1);
@@ -51,7 +48,6 @@ TEST_CASE("mesh inertia: a box has the inertia of a box, exactly, and its princi
     CHECK(by_mass->inertia.mass_kg == Approx(box.mass_kg).epsilon(1.0e-12));
     CHECK(by_mass->inertia.moments_kg_m2.isApprox(box.moments_kg_m2, 1.0e-12));
 }
-
 TEST_CASE("mesh inertia: turned and moved, its principal frame turns and moves with it") {
     const TriangleMesh mesh = *make_box(Vector3(0.3, 0.2, 0.1));
     const Inertia box = make_box_inertia(2.0, Vector3(0.3, 0.2, 0.1));
@@ -73,23 +69,19 @@ TEST_CASE("mesh inertia: turned and moved, its principal frame turns and moves w
     }
 }
 
-TEST_CASE(
-    "mesh inertia: inside out it is the same; with a hollow it lacks what the hollow would have") {
-    const TriangleMesh outer = *make_box(Vector3(0.4, 0.4, 0.4));
-    const auto inverted = compute_inertia(*make_inverted(outer), 1000.0);
-    REQUIRE(inverted);
-    CHECK(inverted->rule == InertiaRule::integrals);
-    CHECK(inverted->inertia.mass_kg == Approx(64.0).epsilon(1.0e-12));
-    CHECK(inverted->inertia.moments_kg_m2.isApprox(
-        make_box_inertia(64.0, Vector3::Constant(0.4)).moments_kg_m2, 1.0e-12));
-    const auto hollow = compute_inertia(
-        join(outer, *make_inverted(*make_box(Vector3::Constant(0.2))), Vector3::Zero()), 1000.0);
-    REQUIRE(hollow);
-    CHECK(hollow->rule == InertiaRule::integrals);
-    CHECK(hollow->inertia.mass_kg == Approx(64.0 - 8.0).epsilon(1.0e-12));
+TEST_CASE("mesh inertia: inside out it is the same; a hollow takes what it would have itself") {
+    const TriangleMesh outer = *make_box(Vector3::Constant(0.4));
+    const Vector3 full = make_box_inertia(64.0, Vector3::Constant(0.4)).moments_kg_m2;
     const Vector3 lacking = make_box_inertia(8.0, Vector3::Constant(0.2)).moments_kg_m2;
-    CHECK(hollow->inertia.moments_kg_m2.isApprox(
-        make_box_inertia(64.0, Vector3::Constant(0.4)).moments_kg_m2 - lacking, 1.0e-12));
+    const auto check = [](const TriangleMesh& mesh, double mass_kg, const Vector3& moments) {
+        const auto found = compute_inertia(mesh, 1000.0);
+        REQUIRE(found);
+        CHECK(found->rule == InertiaRule::integrals);
+        CHECK(found->inertia.mass_kg == Approx(mass_kg).epsilon(1.0e-12));
+        CHECK(found->inertia.moments_kg_m2.isApprox(moments, 1.0e-12));
+    };
+    check(*make_inverted(outer), 64.0, full);
+    check(*make_hollow(outer, *make_box(Vector3::Constant(0.2))), 64.0 - 8.0, full - lacking);
 }
 
 TEST_CASE("mesh inertia: open, overlapping, nested and partly inverted meshes are sampled") {
@@ -117,24 +109,23 @@ TEST_CASE("mesh inertia: open, overlapping, nested and partly inverted meshes ar
     }
     SECTION("two cubes that overlap by half are one body of three halves") {
         const Vector3 edges(0.6, 0.4, 0.4);
-        check(join(box, box, Vector3(0.2, 0.0, 0.0)), 96.0,
+        check(*make_both(box, box, Vector3(0.2, 0.0, 0.0)), 96.0,
               make_box_inertia(96.0, edges).moments_kg_m2);
     }
     SECTION("a cube in a cube weighs nothing more") {
-        check(join(box, *make_box(Vector3::Constant(0.2)), Vector3::Zero()), 64.0, cube);
+        check(*make_both(box, *make_box(Vector3::Constant(0.2)), Vector3::Zero()), 64.0, cube);
     }
     SECTION("two cubes apart, one inside out") {
         const double apart_m = 0.8;
         const Vector3 both = 2.0 * cube + 2.0 * 64.0 * 0.25 * apart_m * apart_m * Vector3(0, 1, 1);
-        check(join(box, *make_inverted(box), Vector3(apart_m, 0.0, 0.0)), 128.0, both);
+        check(*make_both(box, *make_inverted(box), Vector3(apart_m, 0.0, 0.0)), 128.0, both);
     }
     SECTION("a ball with its seam open") {
-        const double mass = 1000.0 * 4.0 / 3.0 * 3.14159265358979 * 0.001;
+        const double mass = 1000.0 * 4.0 / 3.0 * std::numbers::pi * 0.001;
         check(*make_cracked(*make_sphere(0.1, 24), 1.0e-4, 1, 0.0), mass,
               make_ball_inertia(mass, 0.1).moments_kg_m2);
     }
 }
-
 TEST_CASE("mesh inertia: measured once a mesh has any mass; measuring tells, and can be stopped") {
     const TriangleMesh ball = *make_sphere(0.1, 24);
     const TriangleMesh cracked = *make_cracked(ball, 1.0e-4, 1, 0.0);
@@ -165,25 +156,106 @@ TEST_CASE("mesh inertia: measured once a mesh has any mass; measuring tells, and
 
 TEST_CASE("mesh inertia: what encloses nothing or weighs what no body weighs is refused") {
     const TriangleMesh box = *make_box(Vector3::Constant(0.1));
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinity = std::numeric_limits<double>::infinity();
-    for (const double bad : {0.0, -1.0, nan, infinity}) {
+    for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         CHECK_FALSE(compute_inertia(box, bad));
         CHECK_FALSE(fill_with_mass(*measure_solid(box), bad));
     }
-    const auto sheet = compute_inertia(*make_plate(0.1, 0.1, 4), 1000.0, "sheet.obj");
+    const TriangleMesh plate = *make_plate(0.1, 0.1, 4);
+    const auto sheet = compute_inertia(plate, 1000.0, "sheet.obj");
     REQUIRE_FALSE(sheet);
     CHECK(to_sentence(sheet.error()) ==
           "sheet.obj: the mesh encloses nothing, so it has no mass; close its holes, or give mass "
-          "and "
-          "moments of inertia as numbers.");
-    const TriangleMesh plate = *make_plate(0.1, 0.1, 4);
-    CHECK_FALSE(compute_inertia(join(plate, *make_inverted(plate), Vector3::Zero()), 1000.0));
+          "and moments of inertia as numbers.");
+    CHECK_FALSE(compute_inertia(*make_hollow(plate, plate), 1000.0));
     // Too light for any integrator: 1e-9 kg.
     const auto speck = compute_inertia(*make_box(Vector3::Constant(1.0e-4)), 1.0, "speck.obj");
     REQUIRE_FALSE(speck);
     CHECK(to_sentence(speck.error()).find("speck.obj: the body's mass_kg is 1e-12") == 0);
     CHECK_FALSE(compute_inertia(*make_box(Vector3::Constant(1.0e14)), 1.0));
+}
+
+// A round shape's mesh lies inside it: off by the square of the angle between its sides.
+constexpr double kFacets = 2.0e-3;
+
+void compare(const SolidShape& shape, const Expected<TriangleMesh>& mesh, double within) {
+    const MeshInertia exact = compute_shape_inertia(shape, 700.0).value();
+    const MeshInertia meshed = compute_inertia(mesh.value(), 700.0).value();
+    CHECK(exact.volume_m3 == Approx(meshed.volume_m3).epsilon(within));
+    CHECK(exact.inertia.mass_kg == Approx(700.0 * exact.volume_m3));
+    for (int axis = 0; axis < 3; ++axis) {
+        CHECK(exact.inertia_B(axis, axis) == Approx(meshed.inertia_B(axis, axis)).epsilon(within));
+        CHECK(exact.inertia.moments_kg_m2[axis] == exact.inertia_B(axis, axis));
+    }
+    CHECK(exact.X_BP.position == Vector3::Zero());
+}
+TEST_CASE("shape inertia: closed forms are what the integrals over a fine mesh tell") {
+    compare(BoxShape{{0.1, 0.2, 0.3}}, make_box({0.2, 0.4, 0.6}), 1.0e-12);
+    compare(SphereShape{0.1}, make_sphere(0.1, 40), kFacets);
+    compare(CylinderShape{0.1, 0.3}, make_cylinder(0.1, 0.6, 200), kFacets);
+    compare(CapsuleShape{0.1, 0.2}, make_capsule(0.1, 0.4, 200, 60), kFacets);
+}
+TEST_CASE("shape inertia: a capsule without length is a ball, and a mass is what it should be") {
+    const auto capsule = compute_shape_inertia(CapsuleShape{0.1, 0.0}, 500.0).value();
+    const auto ball = compute_shape_inertia(SphereShape{0.1}, 500.0).value();
+    CHECK((capsule.inertia.moments_kg_m2 - ball.inertia.moments_kg_m2).norm() < 1.0e-15);
+    const auto heavy = compute_shape_inertia_of_mass(BoxShape{{0.1, 0.2, 0.3}}, 12.0).value();
+    CHECK(heavy.inertia.mass_kg == Approx(12.0));
+    CHECK(heavy.inertia.moments_kg_m2.x() == Approx(12.0 / 3.0 * (0.04 + 0.09)));
+}
+TEST_CASE("shape inertia: a hull's centre of mass and axes are its own") {
+    std::vector<Vector3> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners.emplace_back(i & 1 ? 0.3 : 0.1, i & 2 ? 0.2 : -0.2, i & 4 ? 0.1 : -0.1);
+    }
+    const auto hull = compute_shape_inertia_of_mass(make_hull_shape(corners).value(), 3.0).value();
+    CHECK((hull.X_BP.position - Vector3(0.2, 0.0, 0.0)).norm() < 1.0e-12);
+    CHECK(hull.inertia.mass_kg == Approx(3.0));
+    const auto box = make_box_inertia(3.0, {0.2, 0.4, 0.2});
+    CHECK(hull.inertia_B(1, 1) == Approx(box.moments_kg_m2.y()));
+    const auto mesh = compute_shape_inertia(touchable(make_box({0.2, 0.4, 0.6})), 100.0).value();
+    CHECK(mesh.inertia.mass_kg == Approx(4.8));
+}
+TEST_CASE("shape inertia: what encloses nothing, has no density or is too light is refused") {
+    CHECK_FALSE(compute_shape_inertia(SphereShape{0.1}, 0.0));
+    CHECK_FALSE(compute_shape_inertia(SphereShape{0.1}, std::nan("")));
+    CHECK_FALSE(compute_shape_inertia_of_mass(SphereShape{0.1}, -1.0));
+    CHECK_FALSE(compute_shape_inertia(SphereShape{-0.1}, 100.0));
+    CHECK_FALSE(compute_shape_inertia(SphereShape{1.0e-9}, 1.0));
+    const auto function =
+        compute_shape_inertia(DistanceShape{std::make_shared<BallFunction>(0.1)}, 1.0);
+    REQUIRE_FALSE(function);
+    CHECK(to_sentence(function.error()).find("volume") != std::string::npos);
+}
+TEST_CASE("rigid state: spin and angular momentum belong together, in a body that is turned") {
+    const Inertia inertia{0.2, {2.0e-5, 3.0e-5, 4.0e-5}};
+    RigidState state;
+    state.pose_W.orientation = compute_exp({0.4, -1.0, 0.7});
+    state.velocity_W = {{1.0, 2.0, 2.0}, {3.0, -5.0, 2.0}};
+    const Vector3 momentum = compute_angular_momentum_W(inertia, state);
+    CHECK(
+        (compute_inertia_W(inertia, state.pose_W.orientation) * state.velocity_W.angular - momentum)
+            .norm() < 1.0e-18);
+    CHECK((compute_spin_W(inertia, state.pose_W.orientation, momentum) - state.velocity_W.angular)
+              .norm() < 1.0e-13);
+    CHECK(compute_kinetic_energy_J(inertia, state) ==
+          Approx(0.5 * (0.2 * 9.0 + state.velocity_W.angular.dot(momentum))).epsilon(1e-12));
+}
+TEST_CASE("rigid state: about a principal axis momentum is the moment times the spin") {
+    const Inertia inertia{0.2, {2.0e-5, 3.0e-5, 4.0e-5}};
+    RigidState state;
+    state.pose_W.orientation = compute_exp({0.3, 0.2, -0.9});
+    for (int axis = 0; axis < 3; ++axis) {
+        state.velocity_W.angular = state.pose_W.orientation * Vector3(7.0 * Vector3::Unit(axis));
+        CHECK((compute_angular_momentum_W(inertia, state) -
+               inertia.moments_kg_m2[axis] * state.velocity_W.angular)
+                  .norm() < 1.0e-18);
+    }
+}
+TEST_CASE("rigid state: moments of a ball and of a box") {
+    CHECK((make_ball_inertia(2.0, 0.1).moments_kg_m2 - Vector3::Constant(0.008)).norm() < 1.0e-15);
+    const Inertia box = make_box_inertia(1.2, {0.1, 0.2, 0.3});
+    CHECK((box.moments_kg_m2 - Vector3(0.013, 0.010, 0.005)).norm() < 1.0e-15);
+    CHECK(box.mass_kg == 1.2);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "haptics/dynamics/rigid_loop.h"
 
+#include "tests/support/refusals.h"
+#include "tests/support/rigid_worlds.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -13,13 +16,8 @@ namespace {
 // A ground and two cubes: the scene's bodies 3 and 5, the hand's solids 0 and 2; solid 1 is none of them.
 RigidLoopPlan make_two_cubes() {
     RigidLoopPlan plan;
-    plan.world.bodies = {{.role = BodyRole::ground},
-                         {.shape = BoxShape{{0.05, 0.05, 0.05}},
-                          .mass_kg = 0.5,
-                          .pose_W = Pose::at({0.0, 0.05, 0.0})},
-                         {.shape = BoxShape{{0.05, 0.05, 0.05}},
-                          .mass_kg = 0.5,
-                          .pose_W = Pose::at({0.5, 0.05, 0.0})}};
+    plan.world.bodies = {plan_ground(), plan_cube(0.05, {0.0, 0.05, 0.0}, 0.5),
+                         plan_cube(0.05, {0.5, 0.05, 0.0}, 0.5)};
     plan.scene_bodies = {kNoBody, 3, 5};
     plan.solids = {1, kNoBody, 2};
     return plan;
@@ -51,6 +49,16 @@ struct CubesLoop {
                const Vector3& velocity_W = Vector3::Zero()) {
         REQUIRE(lesson->commands.push({kind, body, at_W, velocity_W}));
     }
+    // What a hand tells at once, or some time to come.
+    void push(const std::vector<RigidPush>& told, double in_s = 0.0) {
+        HandPushes pushes;
+        pushes.stamp_s = now_s + in_s;
+        pushes.count = static_cast<int>(told.size());
+        std::ranges::copy(told, pushes.pushes.begin());
+        hand->pushes.publish(pushes);
+    }
+    // Of the second cube.
+    [[nodiscard]] const RigidState& state() const { return loop->world().state(2); }
     const BodyState& seen(std::size_t body) {
         lesson->snapshot.take();
         return lesson->snapshot.value().bodies[body];
@@ -146,14 +154,11 @@ TEST_CASE("rigid loop: orders that name no rigid body or no place are passed ove
 TEST_CASE("rigid loop: a hand pushes until it has been silent for too long") {
     CubesLoop cubes;
     cubes.run(0.01);
-    HandPushes pushes;
-    pushes.stamp_s = cubes.now_s;
-    pushes.count = 2;
     // 8 N against 0.6 m g = 2.9 N of friction; the second push is on what is no rigid body.
-    pushes.pushes[0] = make_push({0.5, 0.05, 0.0}, {0.45, 0.05, 0.0}, {8.0, 0.0, 0.0});
-    pushes.pushes[1] = pushes.pushes[0];
-    pushes.pushes[1].solid = 1;
-    cubes.hand->pushes.publish(pushes);
+    const RigidPush push = make_push({0.5, 0.05, 0.0}, {0.45, 0.05, 0.0}, {8.0, 0.0, 0.0});
+    RigidPush nowhere = push;
+    nowhere.solid = 1;
+    cubes.push({push, nowhere});
     cubes.run(0.05);
     const double speed = cubes.seen(5).velocity_W.x();
     CHECK(speed == Approx(0.05 * (8.0 / 0.5 - 0.6 * 9.81)).epsilon(0.02));
@@ -165,19 +170,6 @@ TEST_CASE("rigid loop: a hand pushes until it has been silent for too long") {
     CHECK(cubes.seen(5).velocity_W.norm() < 1.0e-3);
 }
 
-TEST_CASE("rigid loop: a push of a time to come is none") {
-    CubesLoop cubes;
-    cubes.run(0.01);
-    HandPushes pushes;
-    pushes.stamp_s = cubes.now_s + 5.0;
-    pushes.count = 1;
-    pushes.pushes[0] = make_push({0.5, 0.05, 0.0}, {0.45, 0.05, 0.0}, {8.0, 0.0, 0.0});
-    cubes.hand->pushes.publish(pushes);
-    cubes.run(0.05);
-    CHECK(cubes.seen(5).velocity_W.norm() < 1.0e-6);
-    CHECK(cubes.seen(5).where != BodyWhere::held);
-}
-
 // Without weight; the second cube is pushed by a hand that says nothing more.
 CubesLoop make_pushed_once(const RigidPush& push) {
     RigidLoopPlan plan = make_two_cubes();
@@ -185,11 +177,7 @@ CubesLoop make_pushed_once(const RigidPush& push) {
     plan.world.bodies[2].pose_W.position.y() = 1.0;
     CubesLoop cubes(plan);
     cubes.run(0.01);
-    HandPushes pushes;
-    pushes.stamp_s = cubes.now_s;
-    pushes.count = 1;
-    pushes.pushes[0] = push;
-    cubes.hand->pushes.publish(pushes);
+    cubes.push({push});
     return cubes;
 }
 
@@ -207,16 +195,18 @@ RigidPush make_touch(double force_N, double couple_Nm, const PushSlopes& slopes)
 TEST_CASE("rigid loop: a hand that stalls gives no more than its spring held") {
     CubesLoop cubes = make_pushed_once(make_touch(9.0, 0.05, {600.0, 0.0, 0.5, 0.0, 0.0}));
     cubes.run(0.2);
-    const Twist& velocity_W = cubes.loop->world().state(2).velocity_W;
-    const double moment_kg_m2 = 0.5 * 0.01 / 6.0;
-    CHECK(0.25 * velocity_W.linear.squaredNorm() < 81.0 / 600.0 / 2.0);
-    CHECK(0.25 * velocity_W.linear.squaredNorm() > 0.8 * 81.0 / 600.0 / 2.0);
-    CHECK(0.5 * moment_kg_m2 * velocity_W.angular.squaredNorm() < 0.0025 / 0.5 / 2.0);
-    CHECK(0.5 * moment_kg_m2 * velocity_W.angular.squaredNorm() > 0.8 * 0.0025 / 0.5 / 2.0);
+    const Twist& velocity_W = cubes.state().velocity_W;
+    const double moved_share = 0.25 * velocity_W.linear.squaredNorm() / (81.0 / 600.0 / 2.0);
+    const double turned_share =
+        0.5 * (0.5 * 0.01 / 6.0) * velocity_W.angular.squaredNorm() / (0.0025 / 0.5 / 2.0);
+    CHECK(moved_share < 1.0);
+    CHECK(moved_share > 0.8);
+    CHECK(turned_share < 1.0);
+    CHECK(turned_share > 0.8);
     // Its damper takes it as well: m v = (F - b v) t comes to F / b at most.
     CubesLoop damped = make_pushed_once(make_touch(9.0, 0.05, {0.0, 30.0, 0.0, 0.1, 0.0}));
     damped.run(0.2);
-    const Twist& slow_W = damped.loop->world().state(2).velocity_W;
+    const Twist& slow_W = damped.state().velocity_W;
     CHECK(slow_W.linear.x() <= 9.0 / 30.0);
     CHECK(slow_W.angular.y() <= 0.05 / 0.1);
     CHECK(slow_W.angular.y() > 0.0);
@@ -235,17 +225,14 @@ TEST_CASE("rigid loop: a push as old as the step takes energy and gives none") {
             double v = 0.0;
             double most_J = energy_J(0.01, 0.0);
             for (int i = 0; i < 400; ++i) {
-                const RigidState& state = cubes.loop->world().state(2);
+                const RigidState& state = cubes.state();
                 const Vector3& at_W = state.pose_W.position;
                 const Vector3 pulled = Vector3(0.51, 1.0, 0.0) - at_W;
-                HandPushes pushes;
-                pushes.stamp_s = cubes.now_s;
-                pushes.count = 1;
-                pushes.pushes[0] = make_push(at_W, at_W, k * pulled);
-                pushes.pushes[0].velocity_W = state.velocity_W;
-                pushes.pushes[0].hold.slopes.stiffness_N_per_m = k;
-                pushes.pushes[0].hold.bounds.most_N = 1.0e3;
-                cubes.hand->pushes.publish(pushes);
+                RigidPush push = make_push(at_W, at_W, k * pulled);
+                push.velocity_W = state.velocity_W;
+                push.hold.slopes.stiffness_N_per_m = k;
+                push.hold.bounds.most_N = 1.0e3;
+                cubes.push({push});
                 const double foretold =
                     (state.velocity_W.linear.x() + step_s * k / 0.5 * pulled.x()) /
                     (1.0 + step_s * step_s * k / 0.5);
@@ -294,32 +281,34 @@ TEST_CASE("rigid loop: a grip that knew the body turned otherwise turns it less"
     push.pose_W.orientation = Quaternion(AngleAxis(-0.03, Vector3::UnitY()));
     CubesLoop cubes = make_pushed_once(push);
     cubes.run(0.001);
-    CHECK(cubes.loop->world().state(2).velocity_W.angular.y() ==
+    CHECK(cubes.state().velocity_W.angular.y() ==
           Approx(1.0e-3 * (0.02 - 0.4 * 0.03) / (0.5 * 0.01 / 6.0 + 1.0e-6 * 0.4)).epsilon(1.0e-6));
 }
 
-TEST_CASE("rigid loop: a push on what has been put elsewhere since is none") {
-    CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, {9.0, 0.0, 0.0}));
-    cubes.run(0.01);
-    REQUIRE(cubes.seen(5).velocity_W.x() > 0.1);
-    cubes.order(WorldCommand::Kind::place, 5, {0.5, 2.0, 0.0});
-    cubes.run(0.01);
-    CHECK(cubes.seen(5).velocity_W.norm() == 0.0);
-}
-
-TEST_CASE("rigid loop: a push that knows nothing of the last placing is none") {
-    CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, {9.0, 0.0, 0.0}));
-    cubes.order(WorldCommand::Kind::place, 5, {0.5, 2.0, 0.0});
-    cubes.run(0.001);
-    CHECK(cubes.seen(5).velocity_W.norm() == 0.0);
-    // One that does is.
-    HandPushes pushes = cubes.hand->pushes.value();
-    pushes.stamp_s = cubes.now_s;
-    pushes.pushes[0] = make_push({0.5, 2.0, 0.0}, {0.5, 2.0, 0.0}, {9.0, 0.0, 0.0});
-    pushes.pushes[0].n_placements = 1;
-    cubes.hand->pushes.publish(pushes);
-    cubes.run(0.001);
-    CHECK(cubes.seen(5).velocity_W.x() == Approx(1.0e-3 * 9.0 / 0.5));
+TEST_CASE("rigid loop: a push of a time to come, or from before the last placing, is none") {
+    CubesLoop early;
+    early.run(0.01);
+    early.push({make_push({0.5, 0.05, 0.0}, {0.45, 0.05, 0.0}, {8.0, 0.0, 0.0})}, 5.0);
+    early.run(0.05);
+    CHECK(early.seen(5).velocity_W.norm() < 1.0e-6);
+    CHECK(early.seen(5).where != BodyWhere::held);
+    for (const bool has_moved : {true, false}) {
+        CAPTURE(has_moved);
+        CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, {9.0, 0.0, 0.0}));
+        if (has_moved) {
+            cubes.run(0.01);
+            REQUIRE(cubes.seen(5).velocity_W.x() > 0.1);
+        }
+        cubes.order(WorldCommand::Kind::place, 5, {0.5, 2.0, 0.0});
+        cubes.run(has_moved ? 0.01 : 0.001);
+        CHECK(cubes.seen(5).velocity_W.norm() == 0.0);
+        // One that knows of it is.
+        RigidPush push = make_push({0.5, 2.0, 0.0}, {0.5, 2.0, 0.0}, {9.0, 0.0, 0.0});
+        push.n_placements = 1;
+        cubes.push({push});
+        cubes.run(0.001);
+        CHECK(cubes.seen(5).velocity_W.x() == Approx(1.0e-3 * 9.0 / 0.5));
+    }
 }
 
 TEST_CASE("rigid loop: rounds close together add up, and push once") {
@@ -364,20 +353,15 @@ TEST_CASE("rigid loop: a step that does not keep up tells how much of the time i
 }
 
 TEST_CASE("rigid loop: a plan whose lists do not fit its world is refused") {
-    const auto refuses = [](auto spoil) {
-        RigidLoopPlan plan = make_two_cubes();
-        spoil(plan);
-        return !validate(plan).has_value();
-    };
-    CHECK(validate(make_two_cubes()));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.rate_hz = 10.0; }));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.scene_bodies.pop_back(); }));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.scene_bodies[1] = 5; }));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.scene_bodies[1] = kMaxBodies; }));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.solids[0] = 3; }));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.solids.resize(kMaxSolids + 1, kNoBody); }));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.hidden = {-1}; }));
-    CHECK(refuses([](RigidLoopPlan& plan) { plan.world.bodies[1].mass_kg = -1.0; }));
+    using P = RigidLoopPlan;
+    check_refused(make_two_cubes(), {{&P::rate_hz, 10.0},
+                                     [](P& plan) { plan.scene_bodies.pop_back(); },
+                                     [](P& plan) { plan.scene_bodies[1] = 5; },
+                                     [](P& plan) { plan.scene_bodies[1] = kMaxBodies; },
+                                     [](P& plan) { plan.solids[0] = 3; },
+                                     [](P& plan) { plan.solids.resize(kMaxSolids + 1, kNoBody); },
+                                     [](P& plan) { plan.hidden = {-1}; },
+                                     [](P& plan) { plan.world.bodies[1].mass_kg = -1.0; }});
 }
 
 }  // namespace

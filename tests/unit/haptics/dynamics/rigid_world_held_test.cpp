@@ -1,4 +1,6 @@
 #include "haptics/dynamics/rigid_world.h"
+#include "tests/support/refusals.h"
+#include "tests/support/rigid_worlds.h"
 
 #include <catch2/catch.hpp>
 
@@ -6,7 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <utility>
+#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -14,14 +16,8 @@ namespace {
 constexpr double kHeldMass_kg = 0.5;
 constexpr double kHeldRounding =
     1.0e-8;  // relative: hands are rows of the contact problem, whose answer is within 1e-9 m/s
-
-RigidWorldPlan make_held_plan(const Vector3& gravity_W) {
-    RigidWorldPlan plan;
-    plan.settings.gravity_W = gravity_W;
-    plan.settings.sleep_after_s = 0.0;
-    plan.bodies = {{.shape = BoxShape{{0.05, 0.05, 0.05}}, .mass_kg = kHeldMass_kg}};
-    return plan;
-}
+const Vector3 kDown(0.0, -9.81, 0.0);
+const PushSlopes kHand{600.0, 5.0, 0.0, 0.0, 0.04};
 
 // A grip that may give much.
 BodyHold make_hold(const Vector3& at_W, const Wrench& push_W, const PushSlopes& slopes) {
@@ -30,32 +26,43 @@ BodyHold make_hold(const Vector3& at_W, const Wrench& push_W, const PushSlopes& 
     return hold;
 }
 
-std::unique_ptr<RigidWorld> make_world_of(const RigidWorldPlan& plan) {
-    return std::move(RigidWorld::create(plan).value());
+// A touch where the body is, along an axis.
+BodyHold make_touch(const RigidWorld& world, const Vector3& force_W, const PushSlopes& slopes,
+                    const Vector3& along_W, double most_N, double friction_N = 0.0) {
+    BodyHold hold = make_hold(world.shape_pose_W(0).position, {force_W, Vector3::Zero()}, slopes);
+    hold.bounds = {.along_W = along_W, .friction_N = friction_N, .most_N = most_N};
+    return hold;
+}
+
+// One cube.
+std::unique_ptr<RigidWorld> make_held(const Vector3& gravity_W = Vector3::Zero(),
+                                      double mass_kg = kHeldMass_kg) {
+    RigidWorldPlan plan = plan_awake({plan_cube(0.05, Vector3::Zero(), mass_kg)});
+    plan.settings.gravity_W = gravity_W;
+    return make_rigid_world(plan);
 }
 
 TEST_CASE("rigid world: against a hand that holds it a body is heavier by h^2 k + h b and m") {
-    const auto world = make_world_of(make_held_plan(Vector3::Zero()));
+    const auto world = make_held();
     const double h = 0.02;
     const PushSlopes slopes{400.0, 6.0, 0.3, 0.01, 0.05};
     world->hold(0, make_hold(Vector3::Zero(), {{2.0, 0.0, 0.0}, {0.0, 0.0, 0.03}}, slopes));
     world->step(h);
     const double mass_kg = kHeldMass_kg + h * h * 400.0 + h * 6.0 + 0.05;
     const double moment = kHeldMass_kg / 12.0 * 2.0 * 0.01 + h * h * 0.3 + h * 0.01;
-    CHECK(world->state(0).velocity_W.linear.x() ==
-          Approx(2.0 * h / mass_kg).epsilon(kHeldRounding));
-    CHECK(world->state(0).velocity_W.angular.z() ==
-          Approx(0.03 * h / moment).epsilon(kHeldRounding));
+    const Twist& velocity_W = world->state(0).velocity_W;
+    CHECK(velocity_W.linear.x() == Approx(2.0 * h / mass_kg).epsilon(kHeldRounding));
+    CHECK(velocity_W.angular.z() == Approx(0.03 * h / moment).epsilon(kHeldRounding));
     // Once let go it has its own mass again.
     world->push(0, {{2.0, 0.0, 0.0}, Vector3::Zero()});
     world->step(h);
-    CHECK(world->state(0).velocity_W.linear.x() ==
+    CHECK(velocity_W.linear.x() ==
           Approx(2.0 * h / mass_kg + 2.0 * h / kHeldMass_kg).epsilon(kHeldRounding));
 }
 
 // p = h F - G (1/m + r^2/I) p.
 TEST_CASE("rigid world: an arm turns what is held, and the hand holds the place where it is") {
-    const auto world = make_world_of(make_held_plan(Vector3::Zero()));
+    const auto world = make_held();
     const double h = 0.01;
     const double arm_m = 0.04;
     world->hold(0, make_hold({arm_m, 0.0, 0.0}, {{0.0, 1.5, 0.0}, Vector3::Zero()},
@@ -69,11 +76,10 @@ TEST_CASE("rigid world: an arm turns what is held, and the hand holds the place 
     CHECK(world->state(0).velocity_W.linear.y() ==
           Approx(impulse_Ns / kHeldMass_kg).epsilon(kHeldRounding));
 }
-
 // k far above what steps of 50 ms could follow with the body's own mass: h^2 k / m = 20.
 TEST_CASE("rigid world: a body on a stiff spring comes to rest where the spring holds its weight") {
     for (const double h : {0.001, 0.01, 0.05}) {
-        const auto world = make_world_of(make_held_plan({0.0, -9.81, 0.0}));
+        const auto world = make_held(kDown);
         const double k = 4000.0;
         double highest_m = 0.0;
         for (int i = 0; i < static_cast<int>(6.0 / h) + 1000; ++i) {
@@ -92,56 +98,39 @@ TEST_CASE("rigid world: a body on a stiff spring comes to rest where the spring 
 }
 
 // A ball of 2 m/s, touched by a hand along its way, hits one of 1 kg.
-double hit_while_touched(double mass_kg, double h, double force_N, double most_N) {
-    RigidWorldPlan plan;
-    plan.settings.gravity_W = Vector3::Zero();
-    plan.settings.sleep_after_s = 0.0;
-    plan.bodies = {{.shape = SphereShape{0.02},
-                    .mass_kg = mass_kg,
-                    .pose_W = Pose::at({-0.1, 0.0, 0.0}),
-                    .velocity_W = {{2.0, 0.0, 0.0}, Vector3::Zero()}},
-                   {.shape = SphereShape{0.02}, .mass_kg = 1.0}};
-    const auto world = make_world_of(plan);
+double hit_while_touched(double mass_kg, double h, double most_N) {
+    const auto world = make_rigid_world(
+        plan_weightless({plan_ball(0.02, {-0.1, 0.0, 0.0}, mass_kg, {2.0, 0.0, 0.0}),
+                         plan_ball(0.02, Vector3::Zero(), 1.0)}));
     for (int i = 0; i < static_cast<int>(0.3 / h) + 2; ++i) {
-        BodyHold hold =
-            make_hold(world->shape_pose_W(0).position, {{force_N, 0.0, 0.0}, Vector3::Zero()},
-                      {600.0, 5.0, 0.0, 0.0, 0.04});
-        hold.bounds = {.along_W = Vector3::UnitX(), .most_N = most_N};
-        world->hold(0, hold);
+        world->hold(0, make_touch(*world, Vector3::Zero(), kHand, Vector3::UnitX(), most_N));
         world->step(h);
     }
     return mass_kg * world->state(0).velocity_W.linear.x() + world->state(1).velocity_W.linear.x();
 }
 
-struct Hit {
-    double step_s;
-    double mass_kg;
-};
-
 TEST_CASE("rigid world: what a hand touches hits with its own mass, and no more than hands give") {
+    struct Hit {
+        double step_s, mass_kg;
+    };
     for (const Hit& hit :
          {Hit{0.001, 0.02}, Hit{0.001, 0.2}, Hit{0.01, 0.02}, Hit{0.05, 0.02}, Hit{0.05, 0.2}}) {
-        INFO("step " << hit.step_s << ", " << hit.mass_kg << " kg");
+        CAPTURE(hit.step_s, hit.mass_kg);
         const double before_Ns = 2.0 * hit.mass_kg;
-        const double free_Ns = hit_while_touched(hit.mass_kg, hit.step_s, 0.0, 0.0);
+        const double free_Ns = hit_while_touched(hit.mass_kg, hit.step_s, 0.0);
         CHECK(std::abs(free_Ns - before_Ns) <= 1.0e-9);
         // In the two steps of the hit it pushes on, as far as it may.
-        const double pushed_Ns = hit_while_touched(hit.mass_kg, hit.step_s, 0.0, 0.5) - before_Ns;
+        const double pushed_Ns = hit_while_touched(hit.mass_kg, hit.step_s, 0.5) - before_Ns;
         CHECK(std::clamp(pushed_Ns, 0.0, 2.0 * 0.5 * hit.step_s + 1.0e-9) == pushed_Ns);
     }
 }
 
 // How fast 20 g are after 0.1 s without support, touched at the side.
 double fall_touched(double force_N, double friction_N) {
-    RigidWorldPlan plan = make_held_plan({0.0, -9.81, 0.0});
-    plan.bodies[0].mass_kg = 0.02;
-    const auto world = make_world_of(plan);
+    const auto world = make_held(kDown, 0.02);
     for (int i = 0; i < 100; ++i) {
-        BodyHold hold =
-            make_hold(world->shape_pose_W(0).position, {{force_N, 0.0, 0.0}, Vector3::Zero()},
-                      {600.0, 5.0, 0.0, 0.0, 0.04});
-        hold.bounds = {.along_W = Vector3::UnitX(), .friction_N = friction_N, .most_N = 1.0};
-        world->hold(0, hold);
+        world->hold(
+            0, make_touch(*world, {force_N, 0.0, 0.0}, kHand, Vector3::UnitX(), 1.0, friction_N));
         world->step(0.001);
     }
     return -world->state(0).velocity_W.linear.y();
@@ -155,13 +144,10 @@ TEST_CASE("rigid world: a body falls past a hand that touches its side, but for 
 }
 
 TEST_CASE("rigid world: a touch never draws a body that goes") {
-    const auto world = make_world_of(make_held_plan({9.81, 0.0, 0.0}));
+    const auto world = make_held({9.81, 0.0, 0.0});
     for (int i = 0; i < 10; ++i) {
-        BodyHold hold =
-            make_hold(world->shape_pose_W(0).position, {{1.0e-3, 0.0, 0.0}, Vector3::Zero()},
-                      {4000.0, 50.0, 0.0, 0.0, 0.1});
-        hold.bounds = {.along_W = Vector3::UnitX(), .most_N = 1.0};
-        world->hold(0, hold);
+        world->hold(0, make_touch(*world, {1.0e-3, 0.0, 0.0}, {4000.0, 50.0, 0.0, 0.0, 0.1},
+                                  Vector3::UnitX(), 1.0));
         world->step(0.01);
     }
     CHECK(world->state(0).velocity_W.linear.x() == Approx(0.981).epsilon(1.0e-9));
@@ -169,16 +155,10 @@ TEST_CASE("rigid world: a touch never draws a body that goes") {
 
 // A hand that goes along below a body that falls, and presses nothing: the spring alone meets what it gains within the step.
 TEST_CASE("rigid world: what a touch without force goes along with falls as if there were none") {
-    RigidWorldPlan plan = make_held_plan({0.0, -9.81, 0.0});
-    plan.bodies[0].mass_kg = 0.2;
-    const auto world = make_world_of(plan);
+    const auto world = make_held(kDown, 0.2);
     for (int i = 0; i < 100; ++i) {
-        const double speed = world->state(0).velocity_W.linear.y();
-        BodyHold hold = make_hold(world->shape_pose_W(0).position,
-                                  {{0.0, 0.001 * 600.0 * speed, 0.0}, Vector3::Zero()},
-                                  {600.0, 5.0, 0.0, 0.0, 0.04});
-        hold.bounds = {.along_W = Vector3::UnitY(), .most_N = 3.0};
-        world->hold(0, hold);
+        const Vector3 met_W(0.0, 0.001 * 600.0 * world->state(0).velocity_W.linear.y(), 0.0);
+        world->hold(0, make_touch(*world, met_W, kHand, Vector3::UnitY(), 3.0));
         world->step(0.001);
     }
     const double spring_kg = 1.0e-6 * 600.0;
@@ -191,25 +171,21 @@ TEST_CASE("rigid world: a hand gives no more than it may feel, whatever way it i
     const PushSlopes slopes{4000.0, 50.0, 0.0, 0.0, 2.0};
     for (const Vector3& pull_N : {Vector3(10.0, 10.0, 10.0), Vector3(0.0, -12.0, 5.0),
                                   Vector3(30.0, 0.0, 0.0), Vector3(-7.0, 8.0, 0.1)}) {
+        const auto find_given_N = [&](const BodyHold& hold) {
+            const auto world = make_held();
+            world->hold(0, hold);
+            world->push(0, {pull_N, Vector3::Zero()});
+            world->step(h);
+            return Vector3(kHeldMass_kg / h * world->state(0).velocity_W.linear - pull_N);
+        };
         // A grip, and a push whose friction bears 2 N across.
-        const auto gripped = make_world_of(make_held_plan(Vector3::Zero()));
         BodyHold grip = make_hold(Vector3::Zero(), {}, slopes);
         grip.bounds = {.most_N = 3.0, .most_Nm = 1.0};
-        gripped->hold(0, grip);
-        gripped->push(0, {pull_N, Vector3::Zero()});
-        gripped->step(h);
-        const auto given_N = [&](const RigidWorld& world) -> Vector3 {
-            return kHeldMass_kg / h * world.state(0).velocity_W.linear - pull_N;
-        };
-        CHECK(given_N(*gripped).norm() == Approx(3.0).epsilon(1.0e-6));
-        CHECK(given_N(*gripped).normalized().dot(-pull_N.normalized()) > 0.9);
-        const auto pushed = make_world_of(make_held_plan(Vector3::Zero()));
-        BodyHold push = make_hold(Vector3::Zero(), {{0.0, 2.9, 0.0}, Vector3::Zero()}, slopes);
-        push.bounds = {.along_W = Vector3::UnitY(), .friction_N = 2.0, .most_N = 3.0};
-        pushed->hold(0, push);
-        pushed->push(0, {pull_N, Vector3::Zero()});
-        pushed->step(h);
-        const Vector3 pushed_N = given_N(*pushed);
+        const Vector3 gripped_N = find_given_N(grip);
+        CHECK(gripped_N.norm() == Approx(3.0).epsilon(1.0e-6));
+        CHECK(gripped_N.normalized().dot(-pull_N.normalized()) > 0.9);
+        const Vector3 pushed_N = find_given_N(
+            make_touch(*make_held(), {0.0, 2.9, 0.0}, slopes, Vector3::UnitY(), 3.0, 2.0));
         CHECK(pushed_N.norm() <= 3.0 * (1.0 + 1.0e-6));
         CHECK(std::hypot(pushed_N.x(), pushed_N.z()) <= 2.0 * (1.0 + 1.0e-6));
         CHECK(pushed_N.y() >= -1.0e-6);
@@ -217,42 +193,43 @@ TEST_CASE("rigid world: a hand gives no more than it may feel, whatever way it i
 }
 
 TEST_CASE("rigid world: a push is along its direction, however long that is written") {
-    Vector3 velocity_W = Vector3::Zero();
-    for (const double length : {1.0, 1.0e-3, 7.0}) {
-        const auto world = make_world_of(make_held_plan({0.0, -9.81, 0.0}));
-        BodyHold hold = make_hold({0.01, 0.0, 0.0}, {{1.0, 3.0, 0.5}, Vector3::Zero()},
-                                  {600.0, 5.0, 0.0, 0.0, 0.04});
-        hold.bounds = {
-            .along_W = length * Vector3(0.6, 0.8, 0.0), .friction_N = 0.5, .most_N = 9.0};
+    const auto push_along = [](double length) {
+        const auto world = make_held(kDown);
+        BodyHold hold =
+            make_touch(*world, {1.0, 3.0, 0.5}, kHand, length * Vector3(0.6, 0.8, 0.0), 9.0, 0.5);
+        hold.at_W = {0.01, 0.0, 0.0};
         world->hold(0, hold);
         world->step(0.01);
-        const Vector3& now_W = world->state(0).velocity_W.linear;
-        velocity_W = length == 1.0 ? now_W : velocity_W;
-        CHECK((now_W - velocity_W).norm() < 1.0e-12);
+        return world->state(0).velocity_W.linear;
+    };
+    CHECK(push_along(1.0).norm() > 0.01);
+    for (const double length : {1.0e-3, 7.0}) {
+        CHECK((push_along(length) - push_along(1.0)).norm() < 1.0e-12);
     }
-    CHECK(velocity_W.norm() > 0.01);
 }
 
-TEST_CASE(
-    "rigid world: a hold that is no number, or falls where the body gives way, is passed over") {
-    const auto world = make_world_of(make_held_plan(Vector3::Zero()));
-    const double nan = std::numeric_limits<double>::quiet_NaN();
+TEST_CASE("rigid world: a hold that is no number or of no body is passed over") {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     const Wrench push{{1.0, 0.0, 0.0}, Vector3::Zero()};
-    const BodyHold good = make_hold(Vector3::Zero(), push, {400.0, 6.0, 0.3, 0.01, 0.05});
-    const auto spoil = [&](auto change) {
-        BodyHold hold = good;
-        change(hold);
+    const auto world = make_held();
+    const auto moves = [&](const BodyHold& hold) {
+        world->place(0, Pose{}, {});
         world->hold(0, hold);
+        world->step(0.001);
+        return world->state(0).velocity_W.linear.norm() > 0.0;
     };
-    spoil([&](BodyHold& hold) { hold.at_W.setConstant(nan); });
-    spoil([&](BodyHold& hold) { hold.at_W.x() = 1.0e160; });
-    spoil([&](BodyHold& hold) { hold.push_W.force.setConstant(nan); });
-    spoil([&](BodyHold& hold) { hold.push_W.torque.setConstant(nan); });
-    spoil([&](BodyHold& hold) { hold.slopes.stiffness_N_per_m = -1.0; });
-    spoil([&](BodyHold& hold) { hold.slopes.damping_Ns_per_m = nan; });
-    spoil([&](BodyHold& hold) { hold.bounds.along_W.setConstant(nan); });
-    spoil([&](BodyHold& hold) { hold.bounds.most_N = std::numeric_limits<double>::infinity(); });
-    spoil([&](BodyHold& hold) { hold.bounds.friction_N = -1.0; });
+    using H = BodyHold;
+    const BodyHold good = make_hold(Vector3::Zero(), push, {400.0, 6.0, 0.3, 0.01, 0.05});
+    check_refused_by(
+        moves, good,
+        {[](H& hold) { hold.at_W.setConstant(kNaN); }, [](H& hold) { hold.at_W.x() = 1.0e160; },
+         [](H& hold) { hold.push_W.force.setConstant(kNaN); },
+         [](H& hold) { hold.push_W.torque.setConstant(kNaN); },
+         [](H& hold) { hold.slopes.stiffness_N_per_m = -1.0; },
+         [](H& hold) { hold.slopes.damping_Ns_per_m = kNaN; },
+         [](H& hold) { hold.bounds.along_W.setConstant(kNaN); },
+         [](H& hold) { hold.bounds.most_N = HUGE_VAL; },
+         [](H& hold) { hold.bounds.friction_N = -1.0; }});
     world->hold(7, good);
     world->step(0.001);
     CHECK(world->state(0).velocity_W.linear.norm() == 0.0);
@@ -265,7 +242,7 @@ TEST_CASE(
 }
 
 TEST_CASE("rigid world: of more hands than there is room for the rest is counted, in that step") {
-    const auto world = make_world_of(make_held_plan(Vector3::Zero()));
+    const auto world = make_held();
     const Wrench push{{1.0, 0.0, 0.0}, Vector3::Zero()};
     for (int i = 0; i < 6; ++i) {
         world->hold(0, make_hold(Vector3::Zero(), push, {}));
@@ -280,18 +257,13 @@ TEST_CASE("rigid world: of more hands than there is room for the rest is counted
 
 TEST_CASE("rigid world: a body that is taken out falls no more, and what lay on it does") {
     RigidWorldPlan plan;
-    plan.bodies = {{.role = BodyRole::ground},
-                   {.shape = BoxShape{{0.05, 0.05, 0.05}}, .pose_W = Pose::at({0.0, 0.05, 0.0})},
-                   {.shape = BoxShape{{0.05, 0.05, 0.05}}, .pose_W = Pose::at({0.0, 0.15, 0.0})}};
-    auto world = std::move(RigidWorld::create(plan).value());
-    for (int i = 0; i < 1500; ++i) {
-        world->step(0.001);
-    }
+    plan.bodies = {plan_ground(), plan_cube(0.05, {0.0, 0.05, 0.0}),
+                   plan_cube(0.05, {0.0, 0.15, 0.0})};
+    auto world = make_rigid_world(plan);
+    run(*world, 1.5);
     REQUIRE(world->is_asleep(2));
     world->set_present(1, false);
-    for (int i = 0; i < 1000; ++i) {
-        world->step(0.001);
-    }
+    run(*world, 1.0);
     CHECK(world->state(1).pose_W.position.y() == Approx(0.05).margin(1.0e-4));
     CHECK(world->state(2).pose_W.position.y() == Approx(0.05).margin(1.0e-4));
     // Where it comes back the other one is: they part again.
@@ -300,6 +272,38 @@ TEST_CASE("rigid world: a body that is taken out falls no more, and what lay on 
     world->push(1, {{0.0, 20.0, 0.0}, Vector3::Zero()});
     world->step(0.001);
     CHECK(world->state(1).velocity_W.linear.y() > 0.0);
+}
+
+TEST_CASE("rigid world: what is pushed while it is away, or before it is placed, stays at rest") {
+    const auto world = make_held();
+    const Wrench push{{9.0, 0.0, 0.0}, {0.0, 0.1, 0.0}};
+    const auto load = [&] {
+        world->push(0, push);
+        BodyHold hold = make_hold({0.0, 0.05, 0.0}, push, {400.0, 6.0, 0.3, 0.01, 0.05});
+        hold.bounds = {.most_N = 10.0, .most_Nm = 1.0};
+        world->hold(0, hold);
+    };
+    const auto is_at_rest = [&] {
+        world->step(0.001);
+        const Twist& velocity_W = world->state(0).velocity_W;
+        return velocity_W.linear.norm() == 0.0 && velocity_W.angular.norm() == 0.0;
+    };
+    load();
+    world->set_present(0, false);
+    for (int i = 0; i < 100; ++i) {
+        load();
+        world->step(0.001);
+    }
+    world->set_present(0, true);
+    CHECK(is_at_rest());
+    load();
+    world->place(0, Pose::at({1.0, 0.0, 0.0}), {});
+    CHECK(is_at_rest());
+    // Nor is it heavier than it is.
+    world->push(0, {{9.0, 0.0, 0.0}, Vector3::Zero()});
+    world->step(0.001);
+    CHECK(world->state(0).velocity_W.linear.x() ==
+          Approx(9.0 * 0.001 / kHeldMass_kg).epsilon(1.0e-12));
 }
 
 }  // namespace

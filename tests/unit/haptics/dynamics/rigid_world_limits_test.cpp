@@ -1,166 +1,87 @@
-// Joints' limits, who sleeps, and how large a world may be.
+// Who sleeps, how large a world may be, what it reserves and prepares, on how many threads, and what wakes or is refused.
 #include "haptics/dynamics/rigid_world.h"
+#include "tests/support/rigid_worlds.h"
+#include "tests/support/sanitized.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <malloc.h>
 #include <memory>
-#include <utility>
+#include <vector>
 
 namespace fulcrum {
 namespace {
 
-constexpr double kLimitStep_s = 1.0e-3;
-
-std::unique_ptr<RigidWorld> make_limited(const RigidWorldPlan& plan) {
-    auto world = RigidWorld::create(plan);
-    REQUIRE(world);
-    return std::move(*world);
-}
-
-void run_for(RigidWorld& world, double time_s) {
-    for (int i = 0; i < static_cast<int>(std::lround(time_s / kLimitStep_s)); ++i) {
-        world.step(kLimitStep_s);
-    }
-}
-
-RigidWorldPlan make_weightless() {
-    RigidWorldPlan plan;
-    plan.settings.gravity_W.setZero();
-    return plan;
-}
-
-// A ball of 1 kg joined to the world about or along z.
-RigidWorldPlan make_joined(JointKind kind, const JointDrive& drive, const Twist& velocity_W = {}) {
-    RigidWorldPlan plan = make_weightless();
-    plan.bodies = {{.shape = SphereShape{0.05}, .mass_kg = 1.0, .velocity_W = velocity_W}};
-    plan.joints = {{.kind = kind, .body_b = 0, .axis_W = Vector3::UnitZ(), .drive = drive}};
-    return plan;
-}
-
-TEST_CASE("rigid world: a motor turns a hinge to its limit, beyond half a turn and beyond two") {
-    for (const double limit_rad : {4.0, 15.0}) {
-        CAPTURE(limit_rad);
-        auto up = make_limited(make_joined(
-            JointKind::hinge, {.upper = limit_rad, .motor_speed = 8.0, .motor_force = 1.0}));
-        auto down = make_limited(make_joined(
-            JointKind::hinge, {.lower = -limit_rad, .motor_speed = -8.0, .motor_force = 1.0}));
-        run_for(*up, 3.0);
-        run_for(*down, 3.0);
-        CHECK(up->joint_travel(0) == Approx(limit_rad).epsilon(1.0e-6));
-        CHECK(down->joint_travel(0) == Approx(-limit_rad).epsilon(1.0e-6));
-        CHECK(up->state(0).velocity_W.angular.norm() <= 1.0e-6);
-    }
-}
-
-TEST_CASE("rigid world: a limit on one side leaves the other side free") {
-    auto world = make_limited(
-        make_joined(JointKind::hinge, {.upper = 1.0}, {Vector3::Zero(), {0.0, 0.0, -4.0}}));
-    run_for(*world, 1.5);
-    CHECK(world->joint_travel(0) == Approx(-6.0).epsilon(1.0e-3));
-    CHECK(world->state(0).velocity_W.angular.z() == Approx(-4.0).epsilon(1.0e-6));
-}
-
-TEST_CASE("rigid world: a slider passes neither limit, though a step would pass both") {
-    for (const double speed_m_per_s : {10.0, -10.0}) {
-        CAPTURE(speed_m_per_s);
-        auto world =
-            make_limited(make_joined(JointKind::slider, {.lower = -1.0e-3, .upper = 2.0e-3},
-                                     {{0.0, 0.0, speed_m_per_s}, Vector3::Zero()}));
-        for (int i = 0; i < 20; ++i) {
-            world->step(kLimitStep_s);
-            CHECK(world->joint_travel(0) <= 2.0e-3 + 1.0e-7);
-            CHECK(world->joint_travel(0) >= -1.0e-3 - 1.0e-7);
-        }
-    }
-}
+constexpr double kStep_s = 1.0e-3;
 
 TEST_CASE("rigid world: what is pushed apart does not sleep before it is") {
-    RigidWorldPlan plan = make_weightless();
+    RigidWorldPlan plan = plan_weightless(
+        {plan_cube(0.5, Vector3::Zero(), 1.0), plan_cube(0.5, {0.98, 0.0, 0.0}, 1.0)});
     plan.settings.sleep_after_s = 0.02;
     plan.settings.push_rate_per_s = 2.0;
-    const RigidBodyPlan cube{.shape = BoxShape{Vector3::Constant(0.5)}, .mass_kg = 1.0};
-    plan.bodies = {cube, cube};
-    plan.bodies[1].pose_W = Pose::at({0.98, 0.0, 0.0});
-    auto world = make_limited(plan);
-    run_for(*world, 0.2);
+    auto world = make_rigid_world(plan);
+    run(*world, 0.2);
     CHECK_FALSE(world->is_asleep(0));
-    run_for(*world, 3.0);
+    run(*world, 3.0);
     CHECK(world->is_asleep(0));
     const double apart_m =
         world->shape_pose_W(1).position.x() - world->shape_pose_W(0).position.x();
     CHECK(apart_m >= 1.0 - 2.0e-3);
 }
 
-TEST_CASE("rigid world: a slow motor is not put to sleep, and a motor at rest is") {
-    JointDrive drive{.motor_speed = 0.02, .motor_force = 1.0};
-    auto turning = make_limited(make_joined(JointKind::hinge, drive));
-    run_for(*turning, 2.0);
-    CHECK(turning->joint_travel(0) == Approx(0.04).epsilon(1.0e-3));
-    drive.motor_speed = 0.0;
-    auto held = make_limited(make_joined(JointKind::hinge, drive));
-    run_for(*held, 1.0);
-    CHECK(held->is_asleep(0));
-}
-
 TEST_CASE("rigid world: what floats on slowly and touches nothing floats on") {
-    RigidWorldPlan plan = make_weightless();
-    plan.bodies = {
-        {.shape = SphereShape{0.05}, .velocity_W = {{1.5e-3, 0.0, 0.0}, Vector3::Zero()}}};
-    auto world = make_limited(plan);
-    run_for(*world, 2.0);
+    RigidWorldPlan plan;
+    plan.settings.gravity_W.setZero();
+    plan.bodies = {plan_ball(0.05, Vector3::Zero(), 0.0, {1.5e-3, 0.0, 0.0})};
+    auto world = make_rigid_world(plan);
+    run(*world, 2.0);
     CHECK(world->state(0).pose_W.position.x() == Approx(3.0e-3));
     CHECK_FALSE(world->is_asleep(0));
 }
 
 TEST_CASE("rigid world: two thousand balls lie on level ground, and none is dropped") {
     RigidWorldPlan plan;
-    plan.bodies = {{.role = BodyRole::ground}};
+    plan.bodies = {plan_ground()};
     for (int i = 0; i < 2000; ++i) {
-        plan.bodies.push_back({.shape = SphereShape{0.05},
-                               .mass_kg = 1.0,
-                               .pose_W = Pose::at({0.2 * (i % 50), 0.05, 0.2 * (i / 50)})});
+        plan.bodies.push_back(plan_ball(0.05, {0.2 * (i % 50), 0.05, 0.2 * (i / 50)}, 1.0));
     }
-    auto world = make_limited(plan);
-    run_for(*world, 0.005);
+    auto world = make_rigid_world(plan);
+    run(*world, 0.005);
     CHECK(world->report().n_dropped == 0);
     CHECK(world->report().n_contacts == 2000);
     // What is high above it is no pair.
     plan.bodies.resize(3);
     plan.bodies[2].pose_W = Pose::at({1.0, 1.0, 0.0});
-    auto high = make_limited(plan);
-    high->step(kLimitStep_s);
+    auto high = make_rigid_world(plan);
+    high->step(kStep_s);
     CHECK(high->contacts().count() == 1);
 }
 
 // Each of two that fly reaches all others within the step; there is room for one pair.
-TEST_CASE(
-    "rigid world: where there is no room for all pairs what lies on the ground keeps its own") {
+TEST_CASE("rigid world: without room for all pairs what lies on the ground keeps its own") {
     RigidWorldPlan plan;
     plan.settings.most_pairs = 1;
-    for (const double side : {-1.0, 1.0}) {
-        plan.bodies.push_back({.shape = SphereShape{0.05},
-                               .pose_W = Pose::at({0.3 * side, 0.6, 0.0}),
-                               .velocity_W = {{0.0, 0.0, 400.0}, Vector3::Zero()}});
-    }
-    plan.bodies.push_back({.shape = SphereShape{0.05}, .pose_W = Pose::at({0.0, 0.05, 0.0})});
-    plan.bodies.push_back({.role = BodyRole::ground});
-    auto world = make_limited(plan);
+    const Vector3 fast(0.0, 0.0, 400.0);
+    plan.bodies = {plan_ball(0.05, {-0.3, 0.6, 0.0}, 0.0, fast),
+                   plan_ball(0.05, {0.3, 0.6, 0.0}, 0.0, fast), plan_ball(0.05, {0.0, 0.05, 0.0}),
+                   plan_ground()};
+    auto world = make_rigid_world(plan);
     for (int i = 0; i < 200; ++i) {
         for (const std::int32_t flying : {0, 1}) {
             const auto body = static_cast<std::size_t>(flying);
             world->place(flying, plan.bodies[body].pose_W, plan.bodies[body].velocity_W);
         }
-        world->step(kLimitStep_s);
+        world->step(kStep_s);
         REQUIRE(world->report().n_dropped > 0);
     }
     CHECK(world->shape_pose_W(2).position.y() == Approx(0.05).margin(1.0e-4));
 }
 
 // A cube of 1 kg on four points, of which the second is nowhere: half its weight is on the first, a quarter on each of the last two.
-TEST_CASE(
-    "rigid world: of a contact that is refused nothing is remembered, and others keep theirs") {
+TEST_CASE("rigid world: of a refused contact nothing is remembered, and others keep theirs") {
     RigidScene scene{
         {RigidWorldBody{}, RigidWorldBody{}}, ContactPairs(1), {}, BoundedList<HeldBody>(0)};
     RigidWorldBody& cube = scene.bodies[0];
@@ -183,12 +104,12 @@ TEST_CASE(
     }
     IslandSolver solver({}, {.bodies = 1, .contacts = 4, .rows = 0});
     const std::array<std::int32_t, 1> first{0};
-    const IslandReport report = solver.solve({first, first, {}}, kLimitStep_s, scene);
+    const IslandReport report = solver.solve({first, first, {}}, kStep_s, scene);
     CHECK(report.n_dropped == 1);
     CHECK(report.n_contacts == 3);
     CHECK(pair.n_memories == 3);
     CHECK(pair.recall(12) == nullptr);
-    const double weight_Ns = 9.81 * kLimitStep_s;
+    const double weight_Ns = 9.81 * kStep_s;
     const auto bears = [&](std::uint32_t id, double share) {
         const ContactMemory* memory = pair.recall(id);
         return memory != nullptr &&
@@ -199,21 +120,212 @@ TEST_CASE(
     CHECK(bears(14, 0.25));
 }
 
-TEST_CASE("rigid world: a plan that would take more memory than there is likely to be is refused") {
-    RigidWorldPlan plan = make_joined(JointKind::hinge, {});
-    CHECK(validate(plan));
-    plan.settings.most_pairs = 1000000;
-    const auto many = validate(plan);
-    REQUIRE_FALSE(many);
-    CHECK(many.error().message.find("1000000 pairs needs some 11 GB") != std::string::npos);
-    plan.settings.most_pairs = 10000;
-    CHECK(validate(plan));
-    plan.settings.solver.method = ContactMethod::dantzig;
-    CHECK_FALSE(validate(plan));
-    plan.settings.most_pairs = 0;
-    CHECK(validate(plan));
-    plan.settings.most_pairs = -1;
-    CHECK_FALSE(validate(plan));
+// All that the heap holds, small blocks and large ones.
+double find_used_bytes() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+struct World {
+    int n_bodies;
+    int n_joints;
+    int most_pairs;  // 0: as many as a world of that size gets
+    int n_threads;
+    ContactMethod method = ContactMethod::newton;
+};
+RigidWorldPlan make_plan(const World& world) {
+    RigidWorldPlan plan;
+    plan.settings.most_pairs = world.most_pairs;
+    plan.settings.n_threads = world.n_threads;
+    plan.settings.solver.method = world.method;
+    for (int i = 0; i < world.n_bodies; ++i) {
+        plan.bodies.push_back(plan_cube(0.05, {0.3 * i, 0.0, 0.0}));
+    }
+    for (int i = 0; i < world.n_joints; ++i) {
+        const int body = i % (world.n_bodies - 1);
+        plan.joints.push_back({.kind = JointKind::ball,
+                               .body_a = body,
+                               .body_b = body + 1,
+                               .anchor_W = {0.3 * body + 0.15, 0.0, 0.0}});
+    }
+    return plan;
+}
+TEST_CASE("rigid world build: what a world reserves is what was estimated, to a factor of two") {
+    if (is_sanitized()) {
+        SUCCEED("a sanitizer brings a heap of its own");
+        return;
+    }
+    using enum ContactMethod;
+    for (const World& world :
+         {World{2, 0, 0, 1}, World{10, 0, 0, 1}, World{10, 0, 450, 1}, World{100, 0, 0, 1},
+          World{100, 0, 0, 4}, World{400, 0, 0, 1}, World{1500, 0, 100, 1}, World{100, 99, 16, 1},
+          World{100, 990, 16, 2}, World{20, 0, 64, 1, dantzig}, World{20, 10, 150, 2, dantzig},
+          World{100, 0, 0, 2, iterative}}) {
+        CAPTURE(world.n_bodies, world.n_joints, world.most_pairs, world.n_threads);
+        const RigidWorldPlan plan = make_plan(world);
+        const double before = find_used_bytes();
+        const auto made = RigidWorld::create(plan);
+        const double reserved = find_used_bytes() - before;
+        REQUIRE(made);
+        const double estimated = estimate_bytes(plan);
+        CHECK(reserved <= estimated);
+        CHECK(estimated <= 2.0 * reserved);
+    }
+}
+
+RigidWorldPlan make_stack_and_ball() {
+    RigidWorldPlan plan;
+    plan.bodies.push_back(plan_ground());
+    for (int i = 0; i < 10; ++i) {
+        plan.bodies.push_back(plan_cube(0.05, {0.0, 0.05 + 0.1 * i, 0.0}, 1.0));
+    }
+    plan.bodies.push_back(
+        with_restitution(plan_ball(0.02, {1.0, 0.03, 0.0}, 0.1, {0.0, -20.0, 0.0}), 0.5));
+    return plan;
+}
+
+TEST_CASE("rigid world build: what is prepared does not move, and its first step is as the next") {
+    for (const double slow_s : {0.0, 0.01}) {
+        CAPTURE(slow_s);
+        RigidWorldPlan plan = make_stack_and_ball();
+        plan.settings.slow_period_s = slow_s;
+        const auto prepared = make_rigid_world(plan);
+        const auto plain = make_rigid_world(plan);
+        prepared->prepare(kStep_s);
+        for (std::int32_t i = 0; i < prepared->n_bodies(); ++i) {
+            CHECK(prepared->state(i).pose_W.position == plain->state(i).pose_W.position);
+            CHECK(prepared->state(i).velocity_W.linear == plain->state(i).velocity_W.linear);
+            CHECK(prepared->state(i).velocity_W.angular == plain->state(i).velocity_W.angular);
+            CHECK(prepared->behind_s(i) == 0.0);
+        }
+        int n_spared = 0;
+        for (int i = 0; i < 100; ++i) {
+            prepared->step(kStep_s);
+            plain->step(kStep_s);
+            n_spared += i < 10 ? plain->report().n_iterations - prepared->report().n_iterations : 0;
+        }
+        // What of the ball is to be solved both have.
+        CHECK(n_spared > 0);
+        for (std::int32_t i = 0; i < prepared->n_bodies(); ++i) {
+            CHECK((prepared->state(i).pose_W.position - plain->state(i).pose_W.position).norm() <
+                  1.0e-7);
+        }
+    }
+}
+
+TEST_CASE("rigid world build: a world is prepared before its first step alone, and for a time") {
+    const auto world = make_rigid_world(make_stack_and_ball());
+    const auto plain = make_rigid_world(make_stack_and_ball());
+    world->prepare(std::nan(""));
+    world->prepare(-1.0);
+    for (int i = 0; i < 20; ++i) {
+        world->step(kStep_s);
+        world->prepare(kStep_s);
+        plain->step(kStep_s);
+        CHECK(world->report().n_iterations == plain->report().n_iterations);
+    }
+    for (std::int32_t i = 0; i < world->n_bodies(); ++i) {
+        CHECK(world->state(i).pose_W.position == plain->state(i).pose_W.position);
+    }
+}
+
+TEST_CASE("rigid world build: a world for which there is no room is refused with its size") {
+    struct Size {
+        int n_bodies, most_pairs;
+        ContactMethod method;
+        const char* told;  // none: there is room
+    };
+    using enum ContactMethod;
+    for (const Size& size :
+         {Size{1, 0, newton, nullptr}, Size{1, 1000000, newton, "1000000 pairs needs some 11 GB"},
+          Size{1, 10000, newton, nullptr}, Size{1, 10000, dantzig, ""},
+          Size{1, 0, dantzig, nullptr}, Size{1, -1, dantzig, ""},
+          Size{20, 4000, dantzig, "20 bodies and 4000 pairs"},
+          // The same pairs without the matrix of all rows have room.
+          Size{20, 4000, newton, nullptr}}) {
+        CAPTURE(size.n_bodies, size.most_pairs, static_cast<int>(size.method));
+        const auto checked =
+            validate(make_plan({size.n_bodies, 0, size.most_pairs, 1, size.method}));
+        CHECK(checked.has_value() == (size.told == nullptr));
+        if (!checked && size.told != nullptr) {
+            CHECK(to_sentence(checked.error()).find(size.told) != std::string::npos);
+        }
+    }
+    const RigidWorldPlan large = make_plan({20, 0, 4000, 1, dantzig});
+    CHECK(estimate_bytes(large) > 4.0e9);
+    CHECK_FALSE(RigidWorld::create(large));
+}
+
+// Piles of three, four and five boxes, chains between some, in islands that meet and part again.
+RigidWorldPlan make_busy_plan(int n_threads) {
+    RigidWorldPlan plan;
+    plan.settings.n_threads = n_threads;
+    plan.settings.slow_period_s = 0.004;
+    plan.bodies.push_back({.role = BodyRole::ground});
+    for (int pile = 0; pile < 9; ++pile) {
+        const double x = 0.4 * pile;
+        for (int i = 0; i < 3 + pile % 3; ++i) {
+            plan.bodies.push_back(
+                {.shape = BoxShape{{0.05, 0.03, 0.04}},
+                 .mass_kg = 0.1 + 0.05 * i,
+                 .pose_W = Pose::at({x + 0.004 * i, 0.03 + 0.065 * i, 0.002 * pile * i})});
+        }
+        plan.bodies.push_back({.shape = SphereShape{0.03},
+                               .mass_kg = 0.2,
+                               .pose_W = Pose::at({x, 0.7, 0.0}),
+                               .velocity_W = {{0.6 - 0.1 * pile, 0.0, 0.0}, Vector3::Zero()}});
+        const auto ball = static_cast<std::int32_t>(plan.bodies.size()) - 1;
+        if (pile % 2 == 0) {
+            plan.joints.push_back(
+                {.kind = JointKind::ball, .body_b = ball, .anchor_W = {x, 0.95, 0.0}});
+        }
+    }
+    return plan;
+}
+std::vector<unsigned char> run_busy_world(int n_threads) {
+    auto world = make_rigid_world(make_busy_plan(n_threads));
+    std::vector<unsigned char> bytes;
+    const auto keep = [&](const auto& value) {
+        unsigned char copy[sizeof(value)];
+        std::memcpy(copy, &value, sizeof(value));
+        bytes.insert(bytes.end(), copy, copy + sizeof(value));
+    };
+    int n_solved = 0;
+    for (int i = 0; i < 700; ++i) {
+        BodyHold hold{.at_W = world->shape_pose_W(2).position,
+                      .push_W = {Vector3(0.3, 0.0, 0.1), Vector3::Zero()}};
+        hold.slopes = {500.0, 5.0, 0.0, 0.0, 0.02};
+        hold.bounds.most_N = 5.0;
+        world->hold(2 + i / 100, hold);
+        world->step(1.0e-3);
+        n_solved += world->report().n_solved;
+        if (i % 50 != 0) {
+            continue;
+        }
+        for (std::int32_t body = 0; body < world->n_bodies(); ++body) {
+            const RigidState& state = world->state(body);
+            keep(state.pose_W.position);
+            keep(state.pose_W.orientation.coeffs());
+            keep(state.velocity_W.linear);
+            keep(state.velocity_W.angular);
+        }
+        keep(world->report().residual_m_per_s);
+        keep(world->report().deepest_m);
+        keep(world->report().n_contacts);
+    }
+    keep(n_solved);
+    return bytes;
+}
+TEST_CASE("rigid world: it is the same to the bit on one, two and three threads") {
+    const std::vector<unsigned char> alone = run_busy_world(1);
+    CHECK(run_busy_world(2) == alone);
+    CHECK(run_busy_world(3) == alone);
+}
+TEST_CASE("rigid world: a number of threads out of range is refused") {
+    for (const int n_threads : {0, 17}) {
+        const auto world = RigidWorld::create(make_busy_plan(n_threads));
+        REQUIRE_FALSE(world);
+        CHECK(world.error().message.find("threads") != std::string::npos);
+    }
 }
 
 }  // namespace

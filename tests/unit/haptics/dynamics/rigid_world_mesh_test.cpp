@@ -16,32 +16,22 @@ namespace fulcrum {
 namespace {
 
 constexpr double kStep_s = 1.0e-3;
+const Vector3 kFast(0.0, -100.0, 0.0);
 
-RigidBodyPlan make_ground() {
-    return {.role = BodyRole::ground};
+RigidBodyPlan make_table() {
+    return plan_wall(BoxShape{{0.5, 0.05, 0.5}}, {0.0, -0.05, 0.0});
 }
 
-SolidShape mesh_of(const Expected<TriangleMesh>& mesh) {
-    return touchable(mesh);
+RigidBodyPlan make_flying(const SolidShape& shape, const Vector3& at) {
+    return plan_body(shape, Pose::at(at), 0.1, {kFast, Vector3::Zero()});
 }
 
-std::unique_ptr<RigidWorld> make_world(RigidWorldPlan plan) {
-    plan.settings.sleep_after_s = 0.0;
-    auto world = RigidWorld::create(plan);
-    REQUIRE(world);
-    return std::move(*world);
-}
-
-TEST_CASE(
-    "rigid world: a channel of triangles stands on its own, and a ball that falls into it stays on "
-    "its floor") {
-    RigidWorldPlan plan;
-    plan.bodies = {make_ground(),
-                   {.shape = mesh_of(make_channel(0.1, 0.02, 0.2)),
-                    .density_kg_per_m3 = 800.0,
-                    .pose_W = Pose::at({0.0, 0.001, 0.0})},
-                   {.shape = SphereShape{0.03}, .pose_W = Pose::at({0.01, 0.1, 0.02})}};
-    auto world = make_world(plan);
+TEST_CASE("rigid world: a channel of triangles stands, and a ball that falls into it stays in it") {
+    RigidBodyPlan channel =
+        plan_body(touchable(make_channel(0.1, 0.02, 0.2)), Pose::at({0.0, 0.001, 0.0}));
+    channel.density_kg_per_m3 = 800.0;
+    const auto world =
+        make_rigid_world(plan_awake({plan_ground(), channel, plan_ball(0.03, {0.01, 0.1, 0.02})}));
     run(*world, 3.0);
     const Vector3 ball = world->shape_pose_W(2).position;
     CHECK(ball.y() == Approx(0.02 + 0.03).margin(2.0e-4));
@@ -54,14 +44,9 @@ TEST_CASE(
 }
 
 TEST_CASE("rigid world: a ring falls over a pole, which goes through its hole") {
-    RigidWorldPlan plan;
-    plan.bodies = {
-        make_ground(),
-        {.shape = CylinderShape{0.03, 0.15},
-         .role = BodyRole::stays,
-         .pose_W = Pose::at({0.0, 0.15, 0.0})},
-        {.shape = mesh_of(make_torus(0.06, 0.02, 48, 24)), .pose_W = Pose::at({0.005, 0.36, 0.0})}};
-    auto world = make_world(plan);
+    const auto world = make_rigid_world(plan_awake(
+        {plan_ground(), plan_wall(CylinderShape{0.03, 0.15}, {0.0, 0.15, 0.0}),
+         plan_body(touchable(make_torus(0.06, 0.02, 48, 24)), Pose::at({0.005, 0.36, 0.0}))}));
     run(*world, 2.0);
     const Vector3 ring = world->shape_pose_W(2).position;
     CHECK(ring.y() == Approx(0.02).margin(1.0e-3));
@@ -70,14 +55,14 @@ TEST_CASE("rigid world: a ring falls over a pole, which goes through its hole") 
 }
 
 TEST_CASE("rigid world: a link hangs in another, tube on tube") {
-    const SolidShape link = mesh_of(make_torus(0.05, 0.01, 64, 24));
-    RigidWorldPlan plan;
+    const SolidShape link = touchable(make_torus(0.05, 0.01, 64, 24));
     const Quaternion upright(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitX()));
     const Quaternion across(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitZ()));
     // The upper one's lowest inside is at -0.04, the lower one's highest inside 0.04 over its middle.
-    plan.bodies = {{.shape = link, .role = BodyRole::stays, .pose_W = {Vector3::Zero(), upright}},
-                   {.shape = link, .pose_W = {{0.0, -0.0798, 0.0}, across}}};
-    auto world = make_world(plan);
+    RigidWorldPlan plan = plan_awake(
+        {plan_wall(link, Vector3::Zero()), plan_body(link, {{0.0, -0.0798, 0.0}, across})});
+    plan.bodies[0].pose_W.orientation = upright;
+    const auto world = make_rigid_world(plan);
     run(*world, 2.0);
     const Vector3 lower = world->shape_pose_W(1).position;
     CHECK(lower.y() == Approx(-0.08).margin(5.0e-4));
@@ -86,14 +71,9 @@ TEST_CASE("rigid world: a link hangs in another, tube on tube") {
 }
 
 TEST_CASE("rigid world: a small world has room for all patches of its meshes") {
-    RigidWorldPlan plan;
-    plan.bodies = {make_ground(),
-                   {.shape = mesh_of(make_bowl(0.12, 0.1, 32, 8)),
-                    .role = BodyRole::stays,
-                    .pose_W = Pose::at({0.0, 0.2, 0.0})},
-                   {.shape = SphereShape{0.03}, .pose_W = Pose::at({-0.04, 0.2, 0.0})},
-                   {.shape = SphereShape{0.03}, .pose_W = Pose::at({0.04, 0.2, 0.0})}};
-    auto world = make_world(plan);
+    const auto world = make_rigid_world(plan_awake(
+        {plan_ground(), plan_wall(touchable(make_bowl(0.12, 0.1, 32, 8)), {0.0, 0.2, 0.0}),
+         plan_ball(0.03, {-0.04, 0.2, 0.0}), plan_ball(0.03, {0.04, 0.2, 0.0})}));
     run(*world, 1.0);
     CHECK(world->report().n_dropped == 0);
     for (const int ball : {2, 3}) {
@@ -102,18 +82,13 @@ TEST_CASE("rigid world: a small world has room for all patches of its meshes") {
 }
 
 TEST_CASE("rigid world: a cylinder of triangles lies still on a table") {
-    RigidWorldPlan plan;
     const Quaternion lying(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitX()));
     // On one of its twelve sides, a hair above it.
     const double high_m = 0.05 * std::cos(std::numbers::pi / 12.0) + 1.0e-4;
-    plan.bodies = {
-        {.shape = BoxShape{{0.5, 0.05, 0.5}},
-         .role = BodyRole::stays,
-         .pose_W = Pose::at({0.0, -0.05, 0.0})},
-        {.shape = mesh_of(make_cylinder(0.05, 0.2, 12)),
-         .pose_W = {{0.0, high_m, 0.0},
-                    Quaternion(AngleAxis(std::numbers::pi / 12.0, Vector3::UnitZ())) * lying}}};
-    auto world = make_world(plan);
+    const Quaternion on_side(AngleAxis(std::numbers::pi / 12.0, Vector3::UnitZ()));
+    const auto world = make_rigid_world(
+        plan_awake({make_table(), plan_body(touchable(make_cylinder(0.05, 0.2, 12)),
+                                            {{0.0, high_m, 0.0}, on_side * lying})}));
     run(*world, 1.5);
     CHECK(world->state(1).velocity_W.linear.norm() < 1.0e-3);
     CHECK(world->shape_pose_W(1).position.y() == Approx(high_m - 1.0e-4).margin(2.0e-4));
@@ -129,13 +104,9 @@ TEST_CASE("rigid world: a cone of triangles stands on its tip no deeper than on 
         triangles.push_back({0, 2 + i, 2 + (i + 1) % kSides});
         triangles.push_back({1, 2 + (i + 1) % kSides, 2 + i});
     }
-    RigidWorldPlan plan;
-    plan.bodies = {{.shape = BoxShape{{0.5, 0.05, 0.5}},
-                    .role = BodyRole::stays,
-                    .pose_W = Pose::at({0.0, -0.05, 0.0})},
-                   {.shape = mesh_of(TriangleMesh::build(vertices, triangles)),
-                    .pose_W = Pose::at({0.0, 0.1005, 0.0})}};
-    auto world = make_world(plan);
+    const auto world = make_rigid_world(
+        plan_awake({make_table(), plan_body(touchable(TriangleMesh::build(vertices, triangles)),
+                                            Pose::at({0.0, 0.1005, 0.0}))}));
     // It would fall over in the end; until then its tip is on the table.
     for (int i = 0; i < 200; ++i) {
         world->step(kStep_s);
@@ -143,26 +114,19 @@ TEST_CASE("rigid world: a cone of triangles stands on its tip no deeper than on 
     }
 }
 
-RigidBodyPlan make_flying(const SolidShape& shape, const Vector3& at, const Vector3& velocity) {
-    return {.shape = shape,
-            .mass_kg = 0.1,
-            .pose_W = Pose::at(at),
-            .velocity_W = {velocity, Vector3::Zero()}};
-}
-
 TEST_CASE("rigid world: what is flung at a thin plate of triangles stops at it, in any phase") {
-    RigidWorldPlan plan;
-    plan.settings.gravity_W.setZero();
-    const SolidShape plate = mesh_of(make_box({0.3, 0.008, 0.3}));
+    const SolidShape plate = touchable(make_box({0.3, 0.008, 0.3}));
     const auto sampled = SampledShape::make(plate).value();
-    const SolidShape ring = mesh_of(make_torus(0.03, 0.012, 32, 16));
+    const SolidShape ring = touchable(make_torus(0.03, 0.012, 32, 16));
     for (const bool is_ring : {false, true}) {
         const SolidShape flung = is_ring ? ring : SolidShape(SphereShape{0.012});
         for (const double phase_m : {0.0, 0.021, 0.052, 0.097}) {
             CAPTURE(is_ring, phase_m);
-            plan.bodies = {{.shape = plate, .sampled = sampled, .role = BodyRole::stays},
-                           make_flying(flung, {0.01, 0.2 + phase_m, 0.02}, {0.0, -100.0, 0.0})};
-            auto world = make_world(plan);
+            RigidWorldPlan plan =
+                plan_weightless({plan_wall(plate, Vector3::Zero()),
+                                 make_flying(flung, {0.01, 0.2 + phase_m, 0.02})});
+            plan.bodies[0].sampled = sampled;
+            const auto world = make_rigid_world(plan);
             run(*world, 0.02);
             CHECK(world->shape_pose_W(1).position.y() == Approx(0.016).margin(4.0e-4));
             // A thousandth of its speed is left along the plate, for samples tell its normal so nearly.
@@ -172,20 +136,18 @@ TEST_CASE("rigid world: what is flung at a thin plate of triangles stops at it, 
 }
 
 TEST_CASE("rigid world: what is flung through a ring or past it feels nothing") {
-    RigidWorldPlan plan;
-    plan.settings.gravity_W.setZero();
-    const SolidShape ring = mesh_of(make_torus(0.06, 0.02, 48, 24));
+    const SolidShape ring = touchable(make_torus(0.06, 0.02, 48, 24));
     const auto sampled = SampledShape::make(ring).value();
     for (const double aside_m : {0.0, 0.015, 0.11, 0.15}) {
         for (const double phase_m : {0.0, 0.033, 0.071}) {
             CAPTURE(aside_m, phase_m);
-            const Vector3 velocity(0.0, -100.0, 0.0);
-            plan.bodies = {
-                {.shape = ring, .sampled = sampled, .mass_kg = 0.3},
-                make_flying(SphereShape{0.02}, {aside_m, 0.25 + phase_m, 0.0}, velocity)};
-            auto world = make_world(plan);
+            RigidWorldPlan plan =
+                plan_weightless({plan_body(ring, Pose{}, 0.3),
+                                 make_flying(SphereShape{0.02}, {aside_m, 0.25 + phase_m, 0.0})});
+            plan.bodies[0].sampled = sampled;
+            const auto world = make_rigid_world(plan);
             run(*world, 0.006);
-            CHECK(world->state(1).velocity_W.linear == velocity);
+            CHECK(world->state(1).velocity_W.linear == kFast);
             CHECK(world->state(0).velocity_W.linear.isZero(0.0));
             CHECK(world->shape_pose_W(1).position.y() ==
                   Approx(0.25 + phase_m - 0.6).margin(1.0e-9));
@@ -194,16 +156,12 @@ TEST_CASE("rigid world: what is flung through a ring or past it feels nothing") 
 }
 
 TEST_CASE("rigid world: a ball that bounces off a ring of triangles does so where it touches") {
-    RigidWorldPlan plan;
-    plan.settings.gravity_W.setZero();
-    const SolidShape ring = mesh_of(make_torus(0.06, 0.02, 48, 24));
+    const SolidShape ring = touchable(make_torus(0.06, 0.02, 48, 24));
     for (const double phase_m : {0.013, 0.05, 0.085}) {
         CAPTURE(phase_m);
-        plan.bodies = {
-            {.shape = ring, .role = BodyRole::stays},
-            make_flying(SphereShape{0.02}, {0.06, 0.04 + phase_m, 0.0}, {0.0, -100.0, 0.0})};
-        plan.bodies[1].restitution = 1.0;
-        auto world = make_world(plan);
+        const RigidBodyPlan ball = make_flying(SphereShape{0.02}, {0.06, 0.04 + phase_m, 0.0});
+        const auto world = make_rigid_world(
+            plan_weightless({plan_wall(ring, Vector3::Zero()), with_restitution(ball, 1.0)}));
         world->step(kStep_s);
         // Down by the phase, and up again by what is left of 0.1 m.
         CHECK(world->shape_pose_W(1).position.y() == Approx(0.04 + 0.1 - phase_m).margin(2.0e-3));
@@ -211,30 +169,25 @@ TEST_CASE("rigid world: a ball that bounces off a ring of triangles does so wher
     }
 }
 
-TEST_CASE("rigid world: a wall thinner than a cell is refused") {
-    RigidWorldPlan plan;
-    plan.bodies = {{.shape = mesh_of(make_bowl(0.1, 0.099, 48, 12)), .role = BodyRole::stays},
-                   {.shape = SphereShape{0.03}}};
-    const auto thin = RigidWorld::create(plan);
-    REQUIRE_FALSE(thin);
-    CHECK(to_sentence(thin.error()).find("thinner") != std::string::npos);
-}
-
-TEST_CASE("rigid world: an open mesh is refused by its number, and samples made before are taken") {
-    RigidWorldPlan plan;
-    auto corners = make_box({0.2, 0.1, 0.2})->vertices_B();
-    auto triangles = make_box({0.2, 0.1, 0.2})->triangles();
-    triangles.pop_back();
-    plan.bodies = {
-        {.shape = mesh_of(TriangleMesh::build(corners, triangles)), .role = BodyRole::stays},
-        {.shape = SphereShape{0.03}, .pose_W = Pose::at({0.0, 0.1, 0.0})}};
-    const auto open = RigidWorld::create(plan);
-    REQUIRE_FALSE(open);
-    CHECK(to_sentence(open.error()).find("body 0") != std::string::npos);
-    CHECK(to_sentence(open.error()).find("open") != std::string::npos);
-    plan.bodies[0].shape = mesh_of(make_channel(0.1, 0.02, 0.2));
+TEST_CASE("rigid world: thin walls and open meshes are refused, samples made before are taken") {
+    const TriangleMesh box = *make_box({0.2, 0.1, 0.2});
+    std::vector<TriangleCorners> open = box.triangles();
+    open.pop_back();
+    const auto refuse = [](const Expected<TriangleMesh>& mesh) {
+        const auto made = RigidWorld::create(plan_awake(
+            {plan_wall(touchable(mesh), Vector3::Zero()), plan_ball(0.03, {0.0, 0.1, 0.0})}));
+        REQUIRE_FALSE(made);
+        return to_sentence(made.error());
+    };
+    CHECK(refuse(make_bowl(0.1, 0.099, 48, 12)).find("thinner") != std::string::npos);
+    const std::string told = refuse(TriangleMesh::build(box.vertices_B(), open));
+    CHECK(told.find("body 0") != std::string::npos);
+    CHECK(told.find("open") != std::string::npos);
+    RigidWorldPlan plan =
+        plan_awake({plan_wall(touchable(make_channel(0.1, 0.02, 0.2)), Vector3::Zero()),
+                    plan_ball(0.03, {0.0, 0.1, 0.0})});
     plan.bodies[0].sampled = *SampledShape::make(plan.bodies[0].shape, {.n_cells = 32});
-    auto world = make_world(plan);
+    const auto world = make_rigid_world(plan);
     run(*world, 1.0);
     CHECK(world->shape_pose_W(1).position.y() == Approx(0.05).margin(1.0e-3));
 }

@@ -32,15 +32,52 @@ inline HapticState tool_at(const Vector3& position_W) {
     return tool;
 }
 
-/// Steps until an event comes, at most `n` steps; the event, or one without a body.
-inline WorldEvent step_until_event(World& world, const HapticState& tool, int n = 2000) {
-    for (int k = 0; k < n; ++k) {
-        world.step(kDt_s, tool);
-        if (!world.events().empty()) {
-            return world.events().front();
+inline bool is_same(const BodyState& a, const BodyState& b) {
+    return a.pose_W.position == b.pose_W.position &&
+           a.pose_W.orientation.coeffs() == b.pose_W.orientation.coeffs() &&
+           a.velocity_W == b.velocity_W && a.where == b.where;
+}
+
+/// A world that is told and asked in few words.
+struct ToldWorld : World {
+    explicit ToldWorld(const WorldPlan& plan = make_world_plan()) : World(plan) {}
+
+    void tell(WorldCommand::Kind kind, std::int32_t body, const Vector3& at_W = Vector3::Zero(),
+              const Vector3& velocity_W = Vector3::Zero()) {
+        apply(make_command(kind, body, at_W, velocity_W));
+    }
+    void drop(std::int32_t body, const Vector3& at_W = Vector3::Zero(),
+              const Vector3& velocity_W = Vector3::Zero()) {
+        tell(WorldCommand::Kind::drop, body, at_W, velocity_W);
+    }
+    void hold(std::int32_t body) { tell(WorldCommand::Kind::hold, body); }
+    void run(const HapticState& tool, int n = 1) {
+        for (int k = 0; k < n; ++k) {
+            step(kDt_s, tool);
         }
     }
-    return {};
+    /// Steps until an event comes, at most `n` steps; the event, or one without a body.
+    WorldEvent run_to_event(const HapticState& tool, int n = 2000) {
+        for (int k = 0; k < n; ++k) {
+            run(tool);
+            if (!events().empty()) {
+                return events().front();
+            }
+        }
+        return {};
+    }
+    [[nodiscard]] const BodyState& body(std::size_t index = 1) const {
+        return snapshot().bodies[index];
+    }
+    [[nodiscard]] const Vector3& at_W(std::size_t index = 1) const {
+        return body(index).pose_W.position;
+    }
+};
+
+inline WorldPlan make_weightless_plan() {
+    WorldPlan plan = make_world_plan();
+    plan.gravity_W.setZero();
+    return plan;
 }
 
 }  // namespace fulcrum

@@ -15,75 +15,77 @@ namespace {
 
 using Kind = WorldCommand::Kind;
 
-}  // namespace
-
-TEST_CASE("world loop: commands go in, frames, snapshots and events come out, on the run's clock") {
-    auto channels = std::make_unique<WorldChannels>();
-    auto haptics = std::make_unique<HapticChannels>();
-    WorldLoop loop(make_world_plan(), {2}, *channels, *haptics);
-    haptics->state_for_world.publish(tool_at(Vector3(0.0, 0.3, 0.0)));
-    channels->commands.push(make_command(Kind::place, 2, Vector3(1.0, 1.0, 1.0)));
-    channels->commands.push(make_command(Kind::drop, 1, Vector3(0.0, 0.5, 0.0)));
-    channels->commands.push(make_command(Kind::drop, 99));
-    double now_s = 7.0;
-    WorldEvent event;
-    while (!channels->events.pop(event) && now_s < 9.0) {
-        loop.step(now_s);
-        now_s += kDt_s;
-    }
-    CHECK(event.kind == WorldEvent::Kind::caught);
-    CHECK(event.time_s == Approx(now_s - kDt_s));
-    CHECK(loop.world().ignored_commands() == 1);
-    REQUIRE(channels->snapshot.take());
-    CHECK(channels->snapshot.value().time_s == Approx(now_s - kDt_s));
-    CHECK(channels->snapshot.value().n_bodies == 3);
-    REQUIRE(haptics->world.take());
-    CHECK(haptics->world.value().stamp_s == Approx(now_s - kDt_s));
-    CHECK(haptics->world.value().carried_force_W.y() == Approx(-0.6 * 9.81));
-    CHECK(haptics->world.value().solid_poses_W[0].position == Vector3(1.0, 1.0, 1.0));
-    loop.silence(now_s);
-    REQUIRE(haptics->world.take());
-    CHECK(haptics->world.value().carried_force_W.norm() == 0.0);
-    // A long pause is no leap: the falling body moves by at most the longest step.
-    channels->commands.push(make_command(Kind::drop, 0, Vector3(0.5, 5.0, 0.0)));
-    loop.step(now_s);
-    loop.step(now_s + 60.0);
-    CHECK(loop.world().snapshot().bodies[0].pose_W.position.y() > 4.9);
-}
-
-namespace {
-
 // A world loop with its channels, stepped by hand.
 struct Loop {
+    explicit Loop(std::int32_t solid = 1) : loop(make_world_plan(), {solid}, *channels, *haptics) {}
+
     std::unique_ptr<WorldChannels> channels = std::make_unique<WorldChannels>();
     std::unique_ptr<HapticChannels> haptics = std::make_unique<HapticChannels>();
-    WorldLoop loop{make_world_plan(), {1}, *channels, *haptics};
+    WorldLoop loop;
 
-    const BodyState& body(std::size_t index = 1) const {
-        return loop.world().snapshot().bodies[index];
+    [[nodiscard]] const WorldSnapshot& there() const { return loop.world().snapshot(); }
+    [[nodiscard]] const BodyState& body(std::size_t index = 1) const {
+        return there().bodies[index];
     }
+    void tell(Kind kind, std::int32_t body, const Vector3& at_W = Vector3::Zero(),
+              const Vector3& velocity_W = Vector3::Zero()) {
+        channels->commands.push(make_command(kind, body, at_W, velocity_W));
+    }
+    void hold_tool(const HapticState& tool) { haptics->state_for_world.publish(tool); }
 };
 
 }  // namespace
 
+TEST_CASE("world loop: commands go in, frames, snapshots and events come out, on the run's clock") {
+    Loop world(2);
+    world.hold_tool(tool_at({0.0, 0.3, 0.0}));
+    world.tell(Kind::place, 2, {1.0, 1.0, 1.0});
+    world.tell(Kind::drop, 1, {0.0, 0.5, 0.0});
+    world.tell(Kind::drop, 99);
+    double now_s = 7.0;
+    WorldEvent event;
+    while (!world.channels->events.pop(event) && now_s < 9.0) {
+        world.loop.step(now_s);
+        now_s += kDt_s;
+    }
+    CHECK(event.kind == WorldEvent::Kind::caught);
+    CHECK(event.time_s == Approx(now_s - kDt_s));
+    CHECK(world.loop.world().ignored_commands() == 1);
+    REQUIRE(world.channels->snapshot.take());
+    CHECK(world.channels->snapshot.value().time_s == Approx(now_s - kDt_s));
+    CHECK(world.channels->snapshot.value().n_bodies == 3);
+    REQUIRE(world.haptics->world.take());
+    CHECK(world.haptics->world.value().stamp_s == Approx(now_s - kDt_s));
+    CHECK(world.haptics->world.value().carried_force_W.y() == Approx(-0.6 * 9.81));
+    CHECK(world.haptics->world.value().solid_poses_W[0].position == Vector3(1.0, 1.0, 1.0));
+    world.loop.silence(now_s);
+    REQUIRE(world.haptics->world.take());
+    CHECK(world.haptics->world.value().carried_force_W.norm() == 0.0);
+    // A long pause is no leap: the falling body moves by at most the longest step.
+    world.tell(Kind::drop, 0, {0.5, 5.0, 0.0});
+    world.loop.step(now_s);
+    world.loop.step(now_s + 60.0);
+    CHECK(world.there().bodies[0].pose_W.position.y() > 4.9);
+}
+
 TEST_CASE("world loop: the first round is one period long, and a pause is left out of the motion") {
     Loop world;
-    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(2.0, 5.0, 0.0)));
+    world.tell(Kind::drop, 1, {2.0, 5.0, 0.0});
     world.loop.step(7.0);
     // Semi-implicit Euler: one step of 2 ms is g dt^2, the next of 50 ms adds g (dt + 0.05) 0.05.
     double fallen_m = 9.81 * kDt_s * kDt_s;
     CHECK(world.body().pose_W.position.y() == Approx(5.0 - fallen_m).epsilon(1e-13));
-    CHECK(world.loop.world().snapshot().time_s == Approx(7.0));
+    CHECK(world.there().time_s == Approx(7.0));
     world.loop.step(67.0);
     fallen_m += 9.81 * (kDt_s + 0.05) * 0.05;
     CHECK(world.body().pose_W.position.y() == Approx(5.0 - fallen_m).epsilon(1e-13));
     // Its clock has not stood still.
-    CHECK(world.loop.world().snapshot().time_s == Approx(67.0));
+    CHECK(world.there().time_s == Approx(67.0));
 }
 
 TEST_CASE("world loop: a time that is not finite is no round, one that goes back moves nothing") {
     Loop world;
-    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(2.0, 5.0, 0.0)));
+    world.tell(Kind::drop, 1, {2.0, 5.0, 0.0});
     world.loop.step(7.0);
     const Vector3 before_W = world.body().pose_W.position;
     (void)world.haptics->world.take();
@@ -114,44 +116,37 @@ TEST_CASE("world loop: until the hand has a pose there is no bucket, at the orig
         }
     };
     // Nothing heard: the body falls past the origin onto the ground.
-    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(0.0, 0.2, 0.0)));
+    world.tell(Kind::drop, 1, {0.0, 0.2, 0.0});
     step_for(10);
     // A device that has given no pose yet: its state stands at the origin and says so in its faults.
     for (const Fault fault : {Fault::device_read, Fault::device_stale, Fault::device_invalid}) {
         HapticState unread;
         unread.faults = fault;
-        world.haptics->state_for_world.publish(unread);
+        world.hold_tool(unread);
         step_for(100);
     }
     CHECK(world.body().where == BodyWhere::landed);
     // The first pose makes no sweep from the origin: the body is above it there and below it here.
-    world.channels->commands.push(
-        make_command(Kind::drop, 2, Vector3(0.0, 0.5, 0.0), Vector3(0.0, 0.02, 0.0)));
+    world.tell(Kind::drop, 2, {0.0, 0.5, 0.0}, {0.0, 0.02, 0.0});
     step_for(1);
-    world.haptics->state_for_world.publish(tool_at(Vector3(0.0, 1.0, 0.0)));
+    world.hold_tool(tool_at({0.0, 1.0, 0.0}));
     step_for(1);
     CHECK(world.body(2).where == BodyWhere::falling);
     // From now on there is one, wherever the haptic loop says, also while the device is faulty.
-    HapticState jumped = tool_at(Vector3(0.5, 1.0, 0.0));
+    HapticState jumped = tool_at({0.5, 1.0, 0.0});
     jumped.faults = Fault::device_invalid;
-    world.haptics->state_for_world.publish(jumped);
+    world.hold_tool(jumped);
     step_for(1);
-    world.channels->commands.push(make_command(Kind::drop, 2, Vector3(0.5, 1.1, 0.0)));
+    world.tell(Kind::drop, 2, {0.5, 1.1, 0.0});
     step_for(100);
     CHECK(world.body(2).where == BodyWhere::held);
 }
 
 namespace {
 
-bool is_same(const BodyState& a, const BodyState& b) {
-    return a.pose_W.position == b.pose_W.position &&
-           a.pose_W.orientation.coeffs() == b.pose_W.orientation.coeffs() &&
-           a.velocity_W == b.velocity_W && a.where == b.where;
-}
-
 // What is told is what there is, of now.
 void check_told(const Loop& world, double now_s) {
-    const WorldSnapshot& there = world.loop.world().snapshot();
+    const WorldSnapshot& there = world.there();
     REQUIRE(world.channels->snapshot.take());
     REQUIRE(world.haptics->world.take());
     const WorldSnapshot& told = world.channels->snapshot.value();
@@ -183,7 +178,7 @@ TEST_CASE("world loop: fall, landing, rest, a hold and a release are told at onc
         }
     };
     step_for(5);  // nothing has ever moved
-    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(2.0, 0.4, 0.0)));
+    world.tell(Kind::drop, 1, {2.0, 0.4, 0.0});
     step_for(1000);
     REQUIRE(world.body().where == BodyWhere::landed);
     REQUIRE(world.loop.world().is_at_rest());
@@ -191,25 +186,25 @@ TEST_CASE("world loop: fall, landing, rest, a hold and a release are told at onc
     step_for(50);
     CHECK(world.loop.world().revision() == at_rest);
     // Moved while all rest.
-    world.channels->commands.push(make_command(Kind::place, 1, Vector3(1.0, 2.0, 3.0)));
+    world.tell(Kind::place, 1, {1.0, 2.0, 3.0});
     step_for(5);
     CHECK(world.loop.world().revision() > at_rest);
     // Held by a hand that moves.
-    world.channels->commands.push(make_command(Kind::hold, 2));
+    world.tell(Kind::hold, 2);
     for (int k = 0; k < 20; ++k) {
-        world.haptics->state_for_world.publish(tool_at(Vector3(0.01 * k, 0.3, 0.0)));
+        world.hold_tool(tool_at({0.01 * k, 0.3, 0.0}));
         step_for(1);
     }
-    REQUIRE(world.loop.world().snapshot().carried_force_W.norm() > 0.0);
-    world.channels->commands.push(make_command(Kind::release, 0));
+    REQUIRE(world.there().carried_force_W.norm() > 0.0);
+    world.tell(Kind::release, 0);
     step_for(5);
 }
 
 TEST_CASE("world loop: a silence leaves nothing behind that a later round would tell") {
     Loop world;
-    world.haptics->state_for_world.publish(tool_at(Vector3(0.0, 0.3, 0.0)));
+    world.hold_tool(tool_at({0.0, 0.3, 0.0}));
     double now_s = 3.0;
-    world.channels->commands.push(make_command(Kind::hold, 2));
+    world.tell(Kind::hold, 2);
     for (int k = 0; k < 300; ++k) {
         world.loop.step(now_s += kDt_s);
     }
