@@ -1,6 +1,7 @@
 #include "haptics/flight/kite_flight.h"
 
 #include "haptics/dynamics/rigid_body.h"
+#include "tests/support/refusals.h"
 
 #include <catch2/catch.hpp>
 
@@ -136,9 +137,7 @@ Place compute_place(const LineSettings& line, double level_N, double up_N) {
 
 }  // namespace
 
-TEST_CASE(
-    "kite flight: steady flight is the equilibrium of forces and torques, and its line a "
-    "catenary") {
+TEST_CASE("kite flight: steady flight is the balance of forces and torques, its line a catenary") {
     for (const double knot_m : {0.67, 0.72}) {
         const KiteFlightSettings settings = make_plain(knot_m);
         // The wind at the kite's height, and the height in that wind.
@@ -170,8 +169,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "kite flight: in steady flight the four forces cancel, and their torques about the knot") {
+TEST_CASE("kite flight: in steady flight four forces cancel, and their torques about the knot") {
     for (const KiteShape shape : kKiteShapes) {
         KiteFlightSettings settings;
         settings.kite.shape = shape;
@@ -333,15 +331,10 @@ TEST_CASE("kite flight: a time or a hand that is none moves nothing") {
 }
 
 TEST_CASE("kite flight: refuses what its parts refuse") {
-    CHECK(validate(KiteFlightSettings{}));
-    const auto refused = [](auto change) {
-        KiteFlightSettings settings;
-        change(settings);
-        return !validate(settings);
-    };
-    CHECK(refused([](KiteFlightSettings& all) { all.kite.height_m = 0.0; }));
-    CHECK(refused([](KiteFlightSettings& all) { all.line.segments = 0; }));
-    CHECK(refused([](KiteFlightSettings& all) { all.wind.speed_m_per_s = -1.0; }));
-    CHECK(refused([](KiteFlightSettings& all) { all.gravity_m_per_s2 = -1.0; }));
-    CHECK(refused([](KiteFlightSettings& all) { all.ground_N_per_m = 0.0; }));
+    using F = KiteFlightSettings;
+    check_refused(F{}, {{&F::gravity_m_per_s2, -1.0},
+                        {&F::ground_N_per_m, 0.0},
+                        [](F& all) { all.kite.height_m = 0.0; },
+                        [](F& all) { all.line.segments = 0; },
+                        [](F& all) { all.wind.speed_m_per_s = -1.0; }});
 }

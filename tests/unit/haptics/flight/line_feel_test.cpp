@@ -2,6 +2,7 @@
 
 #include "haptics/flight/kite_loop.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/refusals.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -17,10 +18,11 @@ using namespace fulcrum;
 namespace {
 
 constexpr double kDt_s = 0.001;
+const Vector3 kHand_W(1.0, 2.0, 3.0);
 
 // 3 N along x, from a line of 20 m and 25 N/m.
 LineState make_state(double stamp_s = 0.0) {
-    return {stamp_s, {1.0, 2.0, 3.0}, {3.0, 0.0, 0.0}, 25.0, 20.0};
+    return {stamp_s, kHand_W, {3.0, 0.0, 0.0}, 25.0, 20.0};
 }
 
 // Open: states have come for long enough.
@@ -32,9 +34,15 @@ LineFeel make_open(const LineFeelSettings& settings = {}, const LineState& state
     return feel;
 }
 
+// What is felt beside where the hand was.
+Vector3 step(LineFeel& feel, const LineState& state, const Vector3& offset_m = Vector3::Zero(),
+             double now_s = 0.0) {
+    return feel.step(state, Pose::at(kHand_W + offset_m), now_s, kDt_s).force;
+}
+
 Vector3 feel_at(const Vector3& offset_m) {
     LineFeel feel = make_open();
-    return feel.step(make_state(), Pose::at(Vector3(1.0, 2.0, 3.0) + offset_m), 0.0, kDt_s).force;
+    return step(feel, make_state(), offset_m);
 }
 
 }  // namespace
@@ -68,8 +76,7 @@ TEST_CASE("line feel: opens softly, and fades when the world is silent or says n
     LineFeel feel(LineFeelSettings{});
     double last_N = 0.0;
     for (int i = 0; i < 99; ++i) {
-        const double felt_N =
-            feel.step(make_state(), Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.norm();
+        const double felt_N = step(feel, make_state()).norm();
         CHECK(felt_N - last_N == Approx(3.0 * kDt_s / 0.5));
         last_N = felt_N;
     }
@@ -79,14 +86,14 @@ TEST_CASE("line feel: opens softly, and fades when the world is silent or says n
     for (const LineState& bad : {make_state(-1.0), make_state(0.3), make_state(nan), broken}) {
         LineFeel open = make_open();
         for (int i = 0; i < 101; ++i) {
-            const Wrench felt = open.step(bad, Pose::at({1.0, 2.0, 3.0}), 0.15, kDt_s);
-            CHECK(felt.force.norm() <= 3.0 * std::max(1.0 - 0.01 * (i + 1), 0.0) + 1.0e-9);
+            CHECK(step(open, bad, Vector3::Zero(), 0.15).norm() <=
+                  3.0 * std::max(1.0 - 0.01 * (i + 1), 0.0) + 1.0e-9);
         }
-        CHECK(open.step(bad, Pose::at({1.0, 2.0, 3.0}), 0.15, kDt_s).force == Vector3::Zero());
+        CHECK(step(open, bad, Vector3::Zero(), 0.15) == Vector3::Zero());
     }
     // One that is old enough likewise, and a hand that is nowhere feels nothing.
     LineFeel late = make_open();
-    CHECK(late.step(make_state(), Pose::at({1.0, 2.0, 3.0}), 0.11, kDt_s).force.norm() < 3.0);
+    CHECK(step(late, make_state(), Vector3::Zero(), 0.11).norm() < 3.0);
     CHECK(is_finite(late.step(make_state(), {{nan, 0, 0}, {nan, 0, 0, 0}}, 0.0, kDt_s)));
 }
 
@@ -97,17 +104,15 @@ TEST_CASE("line feel: while the world stands, a hand that goes round gains nothi
         const Vector3 a = 0.2 * random.in_cube();
         const Vector3 b = 0.2 * random.in_cube();
         double work_J = 0.0;
-        Vector3 at_W(1.0, 2.0, 3.0);
-        Vector3 force_W = feel.step(make_state(), Pose::at(at_W), 0.0, kDt_s).force;
+        Vector3 at = Vector3::Zero();
+        Vector3 force_W = step(feel, make_state());
         constexpr int kSteps = 4000;
         for (int i = 1; i <= kSteps; ++i) {
             const double phase = 2.0 * std::numbers::pi * i / kSteps;
-            const Vector3 next_W =
-                Vector3(1.0, 2.0, 3.0) + std::sin(phase) * a + (1.0 - std::cos(phase)) * b;
-            const Vector3 next_force_W =
-                feel.step(make_state(), Pose::at(next_W), 0.0, kDt_s).force;
-            work_J += 0.5 * (force_W + next_force_W).dot(next_W - at_W);
-            at_W = next_W;
+            const Vector3 next = std::sin(phase) * a + (1.0 - std::cos(phase)) * b;
+            const Vector3 next_force_W = step(feel, make_state(), next);
+            work_J += 0.5 * (force_W + next_force_W).dot(next - at);
+            at = next;
             force_W = next_force_W;
         }
         constexpr double kSteps_J = 1.0e-5;  // of a round in 4000 straight steps
@@ -122,7 +127,7 @@ TEST_CASE("line feel: what the world changes comes at 50 N/s at most, what the h
     double last_N = 3.0;
     double fastest_N = 0.0;
     for (int i = 0; i < 2000; ++i) {
-        const double felt_N = feel.step(pulled, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.x();
+        const double felt_N = step(feel, pulled).x();
         fastest_N = std::max(fastest_N, felt_N - last_N);
         last_N = felt_N;
     }
@@ -131,13 +136,12 @@ TEST_CASE("line feel: what the world changes comes at 50 N/s at most, what the h
     // Slack in the world, it goes alike; the hand that goes to the kite meanwhile is not pushed.
     LineState slack = make_state();
     slack.force_W.setZero();
-    CHECK(feel.step(slack, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.x() > 4.9);
+    CHECK(step(feel, slack).x() > 4.9);
     LineFeel rising = make_open({}, slack);
-    (void)rising.step(pulled, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s);
-    CHECK(rising.step(pulled, Pose::at({1.19, 2.0, 3.0}), 0.0, kDt_s).force.x() == 0.0);
+    (void)step(rising, pulled);
+    CHECK(step(rising, pulled, {0.19, 0.0, 0.0}).x() == 0.0);
     LineFeel quick = make_open();
-    CHECK(quick.step(make_state(), Pose::at({0.98, 2.0, 3.0}), 0.0, kDt_s).force.x() ==
-          Approx(3.5));
+    CHECK(step(quick, make_state(), {-0.02, 0.0, 0.0}).x() == Approx(3.5));
 }
 
 TEST_CASE("line feel: a line that has snapped lets go at once, and a launch opens it anew") {
@@ -145,12 +149,11 @@ TEST_CASE("line feel: a line that has snapped lets go at once, and a launch open
     LineState snapped = make_state();
     snapped.force_W.setZero();
     snapped.stiffness_N_per_m = 0.0;
-    CHECK(feel.step(snapped, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force == Vector3::Zero());
+    CHECK(step(feel, snapped) == Vector3::Zero());
     LineFeel flown = make_open();
     LineState launched = make_state();
     launched.n_launches = 1;
-    CHECK(flown.step(launched, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.x() ==
-          Approx(3.0 * kDt_s / 0.5));
+    CHECK(step(flown, launched).x() == Approx(3.0 * kDt_s / 0.5));
 }
 
 TEST_CASE("line feel: a line that is let out does not buzz in the hand") {
@@ -192,17 +195,19 @@ TEST_CASE("line feel: a line that is let out does not buzz in the hand") {
 }
 
 TEST_CASE("line feel: a line's state is its pull, its stretch and its tension over its length") {
-    LineSettings settings;
-    KiteLine line(settings);
+    KiteLine line(LineSettings{});
     WindSettings wind;
     wind.speed_m_per_s = 0.0;
     wind.ground_m = -100.0;
     const GustState gusts;
     line.lay(Vector3::Zero(), {20.2, 0.0, 0.0});
-    for (int i = 0; i < 500; ++i) {
-        (void)line.begin_step(Vector3::Zero(), 0.01, {Vector3::Zero(), wind, gusts});
-        line.end_step({20.2, 0.0, 0.0});
-    }
+    const auto hold = [&](const Vector3& hand_W) {
+        for (int i = 0; i < 500; ++i) {
+            (void)line.begin_step(hand_W, 0.01, {Vector3::Zero(), wind, gusts});
+            line.end_step({20.2, 0.0, 0.0});
+        }
+    };
+    hold(Vector3::Zero());
     const LineState state = make_line_state(line, {0.0, 0.0, 0.0}, 1.5);
     CHECK(state.stamp_s == 1.5);
     CHECK((state.force_W - Vector3(5.0, 0.0, 0.0)).norm() < 1.0e-6);
@@ -213,12 +218,8 @@ TEST_CASE("line feel: a line's state is its pull, its stretch and its tension ov
     wide.most_N = 10.0;
     LineFeel feel = make_open(wide, state);
     const Vector3 moved_W(-0.05, 0.1, 0.0);
-    for (int i = 0; i < 500; ++i) {
-        (void)line.begin_step(moved_W, 0.01, {Vector3::Zero(), wind, gusts});
-        line.end_step({20.2, 0.0, 0.0});
-    }
-    LineState now = state;
-    const Vector3 told_W = feel.step(now, Pose::at(moved_W), 1.5, kDt_s).force;
+    hold(moved_W);
+    const Vector3 told_W = feel.step(state, Pose::at(moved_W), 1.5, kDt_s).force;
     CHECK((told_W - line.hand_force_W()).norm() < 1.0e-3 * told_W.norm());
     // Let out it is softer.
     line.set_length_m(25.0);
@@ -229,18 +230,15 @@ TEST_CASE("line feel: a line's state is its pull, its stretch and its tension ov
 }
 
 TEST_CASE("line feel: refuses settings outside their ranges") {
-    CHECK(validate(LineFeelSettings{}));
-    const auto refused = [](auto change) {
-        LineFeelSettings settings;
-        change(settings);
-        return !validate(settings);
-    };
-    CHECK(refused([](LineFeelSettings& feel) { feel.share = -1.0; }));
-    CHECK(refused([](LineFeelSettings& feel) { feel.most_N = 11.0; }));
-    CHECK(refused([](LineFeelSettings& feel) { feel.arm_T = {2.0, 0.0, 0.0}; }));
-    CHECK(refused([](LineFeelSettings& feel) { feel.timeout_s = 0.0; }));
-    CHECK(refused([](LineFeelSettings& feel) { feel.fade_s = std::nan(""); }));
-    CHECK(refused([](LineFeelSettings& feel) { feel.open_s = 0.0; }));
-    CHECK(refused([](LineFeelSettings& feel) { feel.smooth_s = 0.0; }));
-    CHECK(refused([](LineFeelSettings& feel) { feel.most_change_N_per_s = 0.0; }));
+    using F = LineFeelSettings;
+    check_refused(F{}, {{&F::share, -1.0},
+                        {&F::most_N, 11.0},
+                        {&F::timeout_s, 0.0},
+                        {&F::fade_s, std::nan("")},
+                        {&F::open_s, 0.0},
+                        {&F::smooth_s, 0.0},
+                        {&F::most_change_N_per_s, 0.0},
+                        [](F& feel) {
+                            feel.arm_T = {2.0, 0.0, 0.0};
+                        }});
 }

@@ -1,9 +1,11 @@
+// The kite's line (line.h), and the curve that it hangs in (catenary.h).
 #include "haptics/flight/line.h"
 
 #include "haptics/dynamics/rigid_body.h"
 #include "haptics/flight/catenary.h"
 #include "haptics/math/dense.h"
 #include "haptics/math/length.h"
+#include "tests/support/refusals.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -22,29 +24,40 @@ constexpr double kDt_s = 0.002;
 struct Scene {
     WindSettings wind;
     GustState gusts;
-    Vector3 gravity_W{0.0, -9.81, 0.0};
-    Scene() {
+    Vector3 gravity_W{Vector3::Zero()};
+    explicit Scene(bool has_weight = true) {
         wind.speed_m_per_s = 0.0;
         wind.ground_m = -1000.0;
+        gravity_W.y() = has_weight ? -9.81 : 0.0;
     }
     [[nodiscard]] LineSurroundings around() const { return {gravity_W, wind, gusts}; }
+    void step(KiteLine& line, const Vector3& hand_W, const Vector3& end_W,
+              double dt_s = kDt_s) const {
+        (void)line.begin_step(hand_W, dt_s, around());
+        line.end_step(end_W);
+    }
     // Both ends held there until it hangs still. Where it does is the same whatever the step; longer ones calm it sooner.
     void settle(KiteLine& line, const Vector3& hand_W, const Vector3& end_W, double seconds,
                 double dt_s = kDt_s) const {
         line.lay(hand_W, end_W);
         for (int i = 0; i < static_cast<int>(seconds / dt_s); ++i) {
-            (void)line.begin_step(hand_W, dt_s, around());
-            line.end_step(end_W);
+            step(line, hand_W, end_W, dt_s);
         }
     }
 };
 
-// The pull at the far end of a line that hangs between two places, and half a segment's weight with it.
-Vector3 find_pull(int segments, const Vector3& end_W) {
+// Without air's drag.
+LineSettings make_smooth(int segments) {
     LineSettings settings;
     settings.segments = segments;
-    settings.mass_kg_per_m = 0.01;
     settings.drag_coefficient = 0.0;
+    return settings;
+}
+
+// The pull at the far end of a line that hangs between two places, and half a segment's weight with it.
+Vector3 find_pull(int segments, const Vector3& end_W) {
+    LineSettings settings = make_smooth(segments);
+    settings.mass_kg_per_m = 0.01;
     KiteLine line(settings);
     const Scene scene;
     scene.settle(line, Vector3::Zero(), end_W, 200.0, 0.1);
@@ -76,8 +89,7 @@ double catenary_error(int segments, const Vector3& end_W) {
 
 }  // namespace
 
-TEST_CASE(
-    "line: hangs as the catenary does, slack and taut, the error with the square of the segments") {
+TEST_CASE("line: it hangs as the catenary, slack and taut, to the square of the segments") {
     const Vector3 slack(15.0, 8.0, 0.0);
     const double coarse = catenary_error(8, slack);
     const double fine = catenary_error(32, slack);
@@ -87,8 +99,7 @@ TEST_CASE(
 }
 
 TEST_CASE("line: taut, it pulls by its stretch at both ends; slack, it never pushes") {
-    Scene scene;
-    scene.gravity_W.setZero();
+    Scene scene(false);
     for (const int segments : {1, 2, 16}) {
         LineSettings settings;
         settings.segments = segments;
@@ -102,32 +113,11 @@ TEST_CASE("line: taut, it pulls by its stretch at both ends; slack, it never pus
     }
 }
 
-TEST_CASE("line: the wind across it is carried by both ends, that along it by none") {
-    Scene scene;
-    scene.gravity_W.setZero();
-    scene.wind.speed_m_per_s = 10.0;
-    scene.wind.ground_m = 0.0;
-    LineSettings settings;
-    settings.stretch_N = 1.0e5;
-    KiteLine line(settings);
-    // 10 m high everywhere, across the wind, just taut.
-    scene.settle(line, {0.0, 10.0, 0.0}, {0.0, 10.0, 20.02}, 10.0);
-    const double expected_N = 0.5 * kAirDensity_kg_per_m3 * 1.1 * 7.0e-4 * 20.0 * 100.0;
-    const double carried_N = line.end_force_W().x() + line.hand_force_W().x();
-    CHECK(carried_N + expected_N / 16 * 0.5 == Approx(expected_N).epsilon(0.01));
-    scene.settle(line, {0.0, 10.0, 0.0}, {20.02, 10.0, 0.0}, 1.0);
-    CHECK(line.end_force_W().x() + line.hand_force_W().x() == Approx(0.0).margin(1.0e-6));
-}
-
 TEST_CASE("line: the open end's pull is what the closed step gives") {
-    Scene scene;
-    scene.gravity_W.setZero();
+    Scene scene(false);
     Random random(5);
     for (const int segments : {1, 2, 7}) {
-        LineSettings settings;
-        settings.segments = segments;
-        settings.drag_coefficient = 0.0;
-        KiteLine line(settings);
+        KiteLine line(make_smooth(segments));
         line.lay(Vector3::Zero(), {19.0, 8.0, 3.0});
         for (int i = 0; i < 50; ++i) {
             const Vector3 hand_W = 0.02 * random.in_cube();
@@ -143,14 +133,10 @@ TEST_CASE("line: the open end's pull is what the closed step gives") {
 }
 
 TEST_CASE("line: in the step in which it slackens it does not push either") {
-    Scene scene;
-    scene.gravity_W.setZero();
+    Scene scene(false);
     const Vector3 along(0.8, 0.6, 0.0);
     for (const int segments : {1, 2, 16}) {
-        LineSettings settings;
-        settings.segments = segments;
-        settings.drag_coefficient = 0.0;
-        KiteLine line(settings);
+        KiteLine line(make_smooth(segments));
         // Just taut, and let go by ten centimetres at one end or the other.
         for (const bool hand_gives : {false, true}) {
             scene.settle(line, Vector3::Zero(), 20.01 * along, 1.0);
@@ -175,12 +161,9 @@ TEST_CASE("line: in the step in which it slackens it does not push either") {
 }
 
 TEST_CASE("line: stretched at a steady rate, it pulls by its stretch and by its damping") {
-    Scene scene;
-    scene.gravity_W.setZero();
+    Scene scene(false);
     for (const int segments : {1, 4}) {
-        LineSettings settings;
-        settings.segments = segments;
-        settings.drag_coefficient = 0.0;
+        LineSettings settings = make_smooth(segments);
         settings.damping_s = 0.2;
         KiteLine line(settings);
         scene.settle(line, Vector3::Zero(), {20.1, 0.0, 0.0}, 1.0);
@@ -188,8 +171,7 @@ TEST_CASE("line: stretched at a steady rate, it pulls by its stretch and by its 
         double end_m = 20.1;
         for (int i = 0; i < 2000; ++i) {
             end_m += kRate_m_per_s * kDt_s;
-            (void)line.begin_step(Vector3::Zero(), kDt_s, scene.around());
-            line.end_step({end_m, 0.0, 0.0});
+            scene.step(line, Vector3::Zero(), {end_m, 0.0, 0.0});
         }
         const double expected_N = 500.0 / 20.0 * (end_m - 20.0 + 0.2 * kRate_m_per_s);
         CHECK(-line.end_force_W().x() == Approx(expected_N).epsilon(1.0e-6));
@@ -197,29 +179,33 @@ TEST_CASE("line: stretched at a steady rate, it pulls by its stretch and by its 
     }
 }
 
-TEST_CASE("line: what counts is the air that passes it: none when it goes with the wind") {
-    Scene scene;
-    scene.gravity_W.setZero();
-    scene.wind.speed_m_per_s = 4.0;
+TEST_CASE("line: both ends carry the air that passes across it, less its own way, none along it") {
+    Scene scene(false);
     scene.wind.ground_m = 0.0;
+    LineSettings settings;
+    settings.stretch_N = 1.0e5;
     // 10 m high everywhere, just taut, carried along across itself.
-    const auto carry_N = [&scene](double speed_m_per_s) {
-        LineSettings settings;
-        settings.stretch_N = 1.0e5;
+    const Vector3 hand_W(0.0, 10.0, 0.0);
+    const auto carry_N = [&](double wind_m_per_s, double speed_m_per_s, const Vector3& along) {
+        scene.wind.speed_m_per_s = wind_m_per_s;
         KiteLine line(settings);
-        scene.settle(line, {0.0, 10.0, 0.0}, {0.0, 10.0, 20.02}, 5.0);
-        for (int i = 1; i <= 2000; ++i) {
-            const double x_m = speed_m_per_s * kDt_s * i;
-            (void)line.begin_step({x_m, 10.0, 0.0}, kDt_s, scene.around());
-            line.end_step({x_m, 10.0, 20.02});
+        scene.settle(line, hand_W, hand_W + 20.02 * along, 10.0);
+        for (int i = 1; speed_m_per_s != 0.0 && i <= 2000; ++i) {
+            const Vector3 at_W = hand_W + Vector3(speed_m_per_s * kDt_s * i, 0.0, 0.0);
+            scene.step(line, at_W, at_W + 20.02 * along);
         }
-        return (line.end_force_W().x() + line.hand_force_W().x()) / (1.0 - 0.5 / 16);
+        return line.end_force_W().x() + line.hand_force_W().x();
     };
+    // Half a segment's share at the hand is felt by neither.
     const double square = 0.5 * kAirDensity_kg_per_m3 * 1.1 * 7.0e-4 * 20.0;
-    CHECK(carry_N(0.0) == Approx(square * 16.0).epsilon(0.01));
-    CHECK(carry_N(4.0) == Approx(0.0).margin(1.0e-3));
-    CHECK(carry_N(-3.0) == Approx(square * 49.0).epsilon(0.01));
-    CHECK(carry_N(6.0) == Approx(-square * 4.0).epsilon(0.01));
+    const double felt = 1.0 - 0.5 / 16;
+    const Vector3 across = Vector3::UnitZ();
+    CHECK(carry_N(10.0, 0.0, across) / felt == Approx(square * 100.0).epsilon(0.01));
+    CHECK(carry_N(4.0, 0.0, across) / felt == Approx(square * 16.0).epsilon(0.01));
+    CHECK(carry_N(4.0, 4.0, across) / felt == Approx(0.0).margin(1.0e-3));
+    CHECK(carry_N(4.0, -3.0, across) / felt == Approx(square * 49.0).epsilon(0.01));
+    CHECK(carry_N(4.0, 6.0, across) / felt == Approx(-square * 4.0).epsilon(0.01));
+    CHECK(carry_N(10.0, 0.0, Vector3::UnitX()) == Approx(0.0).margin(1.0e-6));
 }
 
 TEST_CASE("line: a hand or an end that is nowhere, or a length that is none, leaves it as it was") {
@@ -238,8 +224,7 @@ TEST_CASE("line: a hand or an end that is nowhere, or a length that is none, lea
         CHECK(is_finite(line.hand_force_W()));
         CHECK(line.length_m() == 20.0);
     }
-    (void)line.begin_step({0.0, 0.1, 0.0}, kDt_s, scene.around());
-    line.end_step({16.0, 13.0, 0.0});
+    scene.step(line, {0.0, 0.1, 0.0}, {16.0, 13.0, 0.0});
     CHECK(line.nodes_W().front() == Vector3(0.0, 0.1, 0.0));
     CHECK(line.end_force_W().norm() > 1.0);
 }
@@ -247,8 +232,7 @@ TEST_CASE("line: a hand or an end that is nowhere, or a length that is none, lea
 TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the ground") {
     Scene scene;
     scene.wind.ground_m = 0.0;
-    LineSettings settings;
-    KiteLine line(settings);
+    KiteLine line(LineSettings{});
     const Vector3 hand_W(0.0, 1.0, 0.0);
     line.lay(hand_W, {12.0, 17.0, 0.0});
     line.snap();
@@ -271,25 +255,18 @@ TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the g
     }
 }
 
-TEST_CASE(
-    "line: the ground pushes out what is in it, and its grass holds what moves, in closed form") {
-    Scene scene;
-    scene.gravity_W.setZero();
+TEST_CASE("line: the ground pushes out what is in it, its grass holds what moves, in closed form") {
+    Scene scene(false);
     scene.wind.ground_m = 0.0;
-    LineSettings settings;
-    settings.segments = 1;
-    settings.drag_coefficient = 0.0;
-    KiteLine line(settings);
+    KiteLine line(make_smooth(1));
     // Slack and five centimetres deep, its end goes sideways at 1 m/s, and then is free.
     constexpr double kDepth_m = 0.05;
     const Vector3 hand_W(0.0, -kDepth_m, 0.0);
     const Vector3 end_W(5.0, -kDepth_m, kDt_s);
     line.lay(hand_W, {5.0, -kDepth_m, 0.0});
-    (void)line.begin_step(hand_W, kDt_s, scene.around());
-    line.end_step(end_W);
+    scene.step(line, hand_W, end_W);
     line.snap();
-    (void)line.begin_step(hand_W, kDt_s, scene.around());
-    line.end_step(Vector3::Zero());
+    scene.step(line, hand_W, Vector3::Zero());
     // (m/h^2 + 2 m omega / h) d = m v / h;  upwards (m/h^2 + 2 m omega / h + m omega^2) d = m omega^2 depth.
     constexpr double kOmega_h = 60.0 * kDt_s;
     CHECK(line.velocities_W()[1].z() == Approx(1.0 / (1.0 + 2.0 * kOmega_h)));
@@ -304,8 +281,7 @@ TEST_CASE("line: let out, it slackens; its length stays within bounds") {
     CHECK(line.end_force_W().norm() > 5.0);
     line.set_length_m(22.0);
     for (int i = 0; i < 3000; ++i) {
-        (void)line.begin_step(Vector3::Zero(), kDt_s, scene.around());
-        line.end_step({16.0, 13.0, 0.0});
+        scene.step(line, Vector3::Zero(), {16.0, 13.0, 0.0});
     }
     CHECK(line.end_force_W().norm() < 0.5);
     line.set_length_m(1000.0);
@@ -315,16 +291,44 @@ TEST_CASE("line: let out, it slackens; its length stays within bounds") {
 }
 
 TEST_CASE("line: refuses settings that no line has") {
-    CHECK(validate(LineSettings{}));
-    const auto refused = [](auto change) {
-        LineSettings line;
-        change(line);
-        return !validate(line);
-    };
-    CHECK(refused([](LineSettings& line) { line.length_m = 0.0; }));
-    CHECK(refused([](LineSettings& line) { line.segments = 0; }));
-    CHECK(refused([](LineSettings& line) { line.segments = kMostLineSegments + 1; }));
-    CHECK(refused([](LineSettings& line) { line.mass_kg_per_m = 0.0; }));
-    CHECK(refused([](LineSettings& line) { line.stretch_N = 0.0; }));
-    CHECK(refused([](LineSettings& line) { line.strength_N = std::nan(""); }));
+    using L = LineSettings;
+    check_refused(L{}, {{&L::length_m, 0.0},
+                        {&L::segments, 0},
+                        {&L::segments, kMostLineSegments + 1},
+                        {&L::mass_kg_per_m, 0.0},
+                        {&L::stretch_N, 0.0},
+                        {&L::strength_N, std::nan("")}});
+}
+
+TEST_CASE("catenary: a level chain sags as the hyperbolic cosine") {
+    // 2 H/w sinh(w l / 2 H) = L; sag H/w (cosh(w l / 2 H) - 1).
+    const double H = 3.0;
+    const double w = 0.5;
+    const double l = 8.0;
+    const CatenarySettings chain{2.0 * H / w * std::sinh(w * l / (2.0 * H)), w, 1.0e12};
+    const auto pull = compute_catenary(chain, l, 0.0);
+    REQUIRE(pull);
+    CHECK(pull->level_N == Approx(H).epsilon(1.0e-8));
+    CHECK(pull->up_top_N == Approx(0.5 * w * chain.length_m));
+    CHECK(pull->up_bottom_N == Approx(-0.5 * w * chain.length_m));
+}
+
+TEST_CASE("catenary: a taut light line pulls as a spring along its chord") {
+    const CatenarySettings line{10.0, 1.0e-6, 500.0};
+    const auto pull = compute_catenary(line, 6.06, 8.08);  // 1 % longer than it is
+    REQUIRE(pull);
+    CHECK(pull->level_N == Approx(5.0 * 0.6).epsilon(1.0e-4));
+    CHECK(pull->up_top_N == Approx(5.0 * 0.8).epsilon(1.0e-4));
+}
+
+TEST_CASE("catenary: both ends carry its weight, slack or taut, steep or level") {
+    const CatenarySettings line{20.0, 0.05, 300.0};
+    for (const double level_m : {2.0, 10.0, 18.0}) {
+        for (const double up_m : {0.0, 5.0, 15.0, 20.0}) {
+            const auto pull = compute_catenary(line, level_m, up_m);
+            REQUIRE(pull);
+            CHECK(pull->up_top_N - pull->up_bottom_N == Approx(1.0));
+            CHECK(pull->level_N > 0.0);
+        }
+    }
 }
