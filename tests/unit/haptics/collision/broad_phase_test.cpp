@@ -1,5 +1,7 @@
+// Which bodies may meet, and what is remembered of those that do: broad_phase.h, contact_pairs.h.
 #include "haptics/collision/broad_phase.h"
 
+#include "haptics/collision/contact_pairs.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -7,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <map>
 #include <vector>
 
 namespace fulcrum {
@@ -25,11 +27,9 @@ std::vector<BodyPair> try_all(const std::vector<Box>& boxes,
     }
     return pairs;
 }
-
 Box make_box_round(const Vector3& middle, const Vector3& half) {
     return {middle - half, middle + half};
 }
-
 TEST_CASE("broad phase: exactly the pairs that overlap, while boxes wander, jump, come and go") {
     Random random(1);
     BroadPhase broad_phase(100, 5000);
@@ -60,9 +60,7 @@ TEST_CASE("broad phase: exactly the pairs that overlap, while boxes wander, jump
     }
     CHECK(n_found > 3000);
 }
-
-TEST_CASE(
-    "broad phase: boxes that only touch, equal ones, and one without end meet all they should") {
+TEST_CASE("broad phase: touching boxes, equal ones and one without end meet whom they should") {
     constexpr double kEndless = std::numeric_limits<double>::infinity();
     const std::vector<Box> boxes{{Vector3::Constant(-kEndless), Vector3::Constant(kEndless)},
                                  make_box_round({0.0, 0.5, 0.0}, Vector3::Constant(0.5)),
@@ -73,7 +71,6 @@ TEST_CASE(
     CHECK(std::ranges::equal(broad_phase.find_pairs(boxes, moves), try_all(boxes, moves)));
     CHECK(broad_phase.find_pairs(boxes, moves).size() == 6);
 }
-
 TEST_CASE("broad phase: of more pairs than there is room for the nearest stay, reaches left out") {
     Random random(4);
     constexpr std::size_t kRoom = 40;
@@ -104,7 +101,6 @@ TEST_CASE("broad phase: of more pairs than there is room for the nearest stay, r
         REQUIRE(few.n_dropped() == n_dropped);
     }
 }
-
 TEST_CASE("broad phase: what has no room is counted, and a box that is none meets nobody") {
     std::vector<Box> boxes(5, make_box_round(Vector3::Zero(), Vector3::Ones()));
     const std::vector<std::uint8_t> moves(5, 1);
@@ -118,6 +114,56 @@ TEST_CASE("broad phase: what has no room is counted, and a box that is none meet
     CHECK(enough.find_pairs(boxes, moves).size() == 6);
     BroadPhase small(3, 10);
     CHECK(small.find_pairs(boxes, moves).size() == 1);
+}
+TEST_CASE("contact pairs: what was remembered of a pair stays while it is named, and no longer") {
+    Random random(1);
+    ContactPairs pairs(40);
+    std::map<BodyPair, std::uint32_t> told;
+    std::uint32_t next = 1;
+    for (int step = 0; step < 500; ++step) {
+        std::vector<BodyPair> named;
+        for (std::int32_t a = 0; a < 8; ++a) {
+            for (std::int32_t b = a + 1; b < 8; ++b) {
+                if (random.uniform() > 0.2) {
+                    named.push_back({a, b});
+                }
+            }
+        }
+        pairs.update(named);
+        REQUIRE(pairs.count() == static_cast<int>(named.size()));
+        std::map<BodyPair, std::uint32_t> now;
+        for (int i = 0; i < pairs.count(); ++i) {
+            ContactPair& pair = pairs.at(i);
+            REQUIRE(pair.bodies == named[static_cast<std::size_t>(i)]);
+            const auto old = told.find(pair.bodies);
+            if (old == told.end()) {
+                REQUIRE(pair.n_memories == 0);
+                REQUIRE(pair.manifold.count == 0);
+            } else {
+                REQUIRE(pair.recall(old->second) != nullptr);
+                REQUIRE(pair.recall(old->second)->impulse_W.x() == old->second);
+                REQUIRE(pair.recall(old->second + 1) == nullptr);
+            }
+            pair.forget();
+            pair.remember({.id = next, .impulse_W = Vector3(next, 0.0, 0.0)});
+            now[pair.bodies] = next;
+            next += 2;
+        }
+        told = now;
+    }
+}
+TEST_CASE("contact pairs: more than there is room for are left out, and one pair remembers four") {
+    ContactPairs pairs(2);
+    const std::vector<BodyPair> three{{0, 1}, {0, 2}, {1, 2}};
+    pairs.update(three);
+    CHECK(pairs.count() == 2);
+    pairs.update(std::vector<BodyPair>{{1, 2}});
+    REQUIRE(pairs.count() == 1);
+    for (std::uint32_t id = 1; id < 7; ++id) {
+        pairs.at(0).remember({.id = id});
+    }
+    CHECK(pairs.at(0).recall(4) != nullptr);
+    CHECK(pairs.at(0).recall(5) == nullptr);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "haptics/collision/contact_manifold.h"
 
+#include "haptics/collision/contact_points.h"
 #include "tests/support/contact_shapes.h"
 
 #include <catch2/catch.hpp>
@@ -16,13 +17,11 @@ namespace {
 ContactShape make_cube(double half_m = 0.5) {
     return make_contact_shape(BoxShape{Vector3::Constant(half_m)}).value();
 }
-
 ContactManifold touch(const ContactShape& a, const Pose& at_a, const ContactShape& b,
                       const Pose& at_b, double margin_m = 0.01, ContactManifold manifold = {}) {
     find_contacts(a, ContactPlace::of(at_a), b, ContactPlace::of(at_b), margin_m, manifold);
     return manifold;
 }
-
 double find_least_gap(const ContactManifold& manifold) {
     double least = std::numeric_limits<double>::infinity();
     for (const ContactPoint& point : manifold.points()) {
@@ -30,7 +29,6 @@ double find_least_gap(const ContactManifold& manifold) {
     }
     return least;
 }
-
 std::vector<std::uint32_t> ids_of(const ContactManifold& manifold) {
     std::vector<std::uint32_t> ids;
     for (const ContactPoint& point : manifold.points()) {
@@ -39,7 +37,6 @@ std::vector<std::uint32_t> ids_of(const ContactManifold& manifold) {
     std::ranges::sort(ids);
     return ids;
 }
-
 // Every old place has a new one there.
 bool are_same_places(const ContactManifold& a, const ContactManifold& b, const Pose& move,
                      double within_m) {
@@ -50,7 +47,6 @@ bool are_same_places(const ContactManifold& a, const ContactManifold& b, const P
                });
            });
 }
-
 TEST_CASE("contact manifold: a cube on an equal cube touches at its four corners") {
     const ContactShape cube = make_cube();
     const auto manifold = touch(cube, Pose::at({0.0, 0.999, 0.0}), cube, Pose::at(Vector3::Zero()));
@@ -63,10 +59,7 @@ TEST_CASE("contact manifold: a cube on an equal cube touches at its four corners
         CHECK(point.place_W.y() == Approx(0.4995));
     }
 }
-
-TEST_CASE(
-    "contact manifold: a cube turned by an eighth on another keeps four of eight corners, of most "
-    "area") {
+TEST_CASE("contact manifold: a cube turned by an eighth keeps the four corners of most area") {
     const ContactShape cube = make_cube();
     const Pose turned{{0.0, 1.0, 0.0}, Quaternion(AngleAxis(M_PI / 4, Vector3::UnitY()))};
     const auto manifold = touch(cube, turned, cube, Pose::at(Vector3::Zero()));
@@ -80,7 +73,6 @@ TEST_CASE(
     }
     CHECK(twice_area == Approx(1.0 / std::cos(M_PI / 8)));
 }
-
 TEST_CASE("contact manifold: every shape on the ground, standing and lying") {
     const ContactShape ground = make_half_space();
     const Pose floor = Pose::at(Vector3::Zero());
@@ -111,10 +103,7 @@ TEST_CASE("contact manifold: every shape on the ground, standing and lying") {
     CHECK((above.contacts[0].place_W - ball.contacts[0].place_W).norm() < 1.0e-12);
     CHECK(touch(ground, floor, ground, floor).count == 0);
 }
-
-TEST_CASE(
-    "contact manifold: edges crosswise, a corner on a face, a capsule over an edge: one place "
-    "each") {
+TEST_CASE("contact manifold: crossed edges, a corner on a face, a rod over an edge: one place") {
     const ContactShape cube = make_cube();
     const double reach_m = std::sqrt(0.5);
     const Pose about_x{{0.1, 2.0 * reach_m - 0.001, 0.2},
@@ -138,7 +127,6 @@ TEST_CASE(
     REQUIRE(line.count >= 1);
     CHECK(find_least_gap(line) == Approx(-0.001));
 }
-
 TEST_CASE("contact manifold: the deepest of its points is as deep as the bodies, whatever pair") {
     const auto shapes = make_contact_shapes(1.0);
     Random random(11);
@@ -164,7 +152,6 @@ TEST_CASE("contact manifold: the deepest of its points is as deep as the bodies,
         }
     }
 }
-
 TEST_CASE("contact manifold: turned over, moved and made larger it is the same") {
     const auto shapes = make_contact_shapes(1.0);
     Random random(12);
@@ -212,9 +199,7 @@ TEST_CASE("contact manifold: turned over, moved and made larger it is the same")
         CHECK(are_same_places(one, other, Pose{}, 1.0e-12));
     }
 }
-
-TEST_CASE(
-    "contact manifold: bodies that rest and tremble by a millionth keep their points and ids") {
+TEST_CASE("contact manifold: bodies that tremble by a millionth at rest keep points and ids") {
     Random random(13);
     auto shapes = make_contact_shapes(1.0);
     shapes.push_back(make_cube());
@@ -243,7 +228,6 @@ TEST_CASE(
         }
     }
 }
-
 TEST_CASE("contact manifold: a box that slides and turns on another keeps ids, each but once") {
     const ContactShape cube = make_cube();
     ContactManifold manifold;
@@ -263,7 +247,6 @@ TEST_CASE("contact manifold: a box that slides and turns on another keeps ids, e
     // Corners pass from one edge to another now and then.
     CHECK(n_lost <= 8);
 }
-
 TEST_CASE("contact manifold: middles in one place, slivers of hulls, and places that are none") {
     const auto shapes = make_contact_shapes(1.0);
     for (const ContactShape& first : shapes) {
@@ -286,6 +269,38 @@ TEST_CASE("contact manifold: middles in one place, slivers of hulls, and places 
     REQUIRE(lies.count >= 3);
     CHECK(lies.normal_W.y() == Approx(1.0));
     CHECK(find_least_gap(lies) == Approx(0.0).margin(1.0e-5));
+}
+ContactManifold choose(const std::vector<Vector3>& places) {
+    ContactCandidates candidates;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        candidates.add({places[i], -1.0e-4, static_cast<std::uint16_t>(i)});
+    }
+    const ContactPlace here;
+    ContactManifold manifold;
+    choose_contacts(candidates, Vector3::UnitY(), 0.1, {Vector3::Zero(), here, here}, manifold);
+    return manifold;
+}
+TEST_CASE("contact points: of many on one line two are kept, far apart and each once") {
+    std::vector<Vector3> places;
+    for (const double x_m : {0.0, 0.02, 0.05, 0.03, 0.04}) {
+        places.push_back({x_m, 0.0, 2.0 * x_m});
+    }
+    const ContactManifold manifold = choose(places);
+    REQUIRE(manifold.count == 2);
+    CHECK(std::abs(manifold.contacts[0].place_W.x() - manifold.contacts[1].place_W.x()) >= 0.03);
+}
+TEST_CASE("contact points: of eight round a face four are kept that are not the same") {
+    std::vector<Vector3> places;
+    for (int i = 0; i < 8; ++i) {
+        places.push_back(0.05 * Vector3(std::cos(0.7854 * i), 0.0, std::sin(0.7854 * i)));
+    }
+    const ContactManifold manifold = choose(places);
+    REQUIRE(manifold.count == 4);
+    std::set<std::uint16_t> features;
+    for (const ContactPoint& point : manifold.points()) {
+        features.insert(point.feature);
+    }
+    CHECK(features.size() == 4);
 }
 
 }  // namespace

@@ -58,9 +58,7 @@ TEST_CASE("contact shadow: two rectangles share the rectangle of their overlap")
     }
 }
 
-TEST_CASE(
-    "contact shadow: the same rectangle twice, and all but the same, has four corners' worth of "
-    "area") {
+TEST_CASE("contact shadow: two rectangles that are all but the same share the area of one") {
     for (const double off : {0.0, 1.0e-12, 1.0e-9, 1.0e-6, -1.0e-6}) {
         const SharedCorners shared =
             share(make_rectangle(off, -off, 0.5, 0.5), make_rectangle(0.0, 0.0, 0.5, 0.5));
@@ -86,8 +84,7 @@ TEST_CASE("contact shadow: a segment is cut by a face, and heights are those of 
     CHECK(share(make_polygon({{0.0, 0.0}, {0.3, 0.2}}, 1.0), face).count == 2);
 }
 
-TEST_CASE(
-    "contact shadow: segments cross in one place, or share a stretch where they are parallel") {
+TEST_CASE("contact shadow: segments cross in one place, or share a stretch where parallel") {
     const Shadow along_x = make_polygon({{-1.0, 0.0}, {1.0, 0.0}}, 1.0);
     const SharedCorners crossing = share(along_x, make_polygon({{0.3, -1.0}, {0.3, 1.0}}, 0.0));
     REQUIRE(crossing.count == 1);
@@ -98,8 +95,7 @@ TEST_CASE(
     CHECK(share(along_x, make_polygon({{2.0, 0.0}, {3.0, 0.0}}, 0.0)).count == 0);
 }
 
-TEST_CASE(
-    "contact shadow: of shadows that miss each other the corner nearest to the other is told") {
+TEST_CASE("contact shadow: of shadows that miss each other the nearest corner is told") {
     const Shadow segment = make_polygon({{-2.0, 0.50001}, {3.0, 0.50001}}, 1.0);
     Shadow face = make_polygon({{0.3, 0.5}, {-0.5, 0.2}, {0.4, -0.5}}, 0.25);
     REQUIRE(share(segment, face).count == 0);
@@ -142,9 +138,7 @@ TEST_CASE("contact shadow: a place of the plane is over the place of the face th
     }
 }
 
-TEST_CASE(
-    "contact shadow: a segment seen end on is its end, a face seen from its edge its farthest "
-    "corner") {
+TEST_CASE("contact shadow: a segment seen end on is its end, a face edge on its farthest corner") {
     SupportFeature feature;
     feature.corners_B[0] = {0.0, -1.0, 0.0};
     feature.corners_B[1] = {0.0, 1.0, 0.0};

@@ -1,58 +1,69 @@
+// When bodies in motion meet: contact_sweep.h in closed form, sampled_sweep.h where a mesh is one of them.
 #include "haptics/collision/contact_sweep.h"
 
+#include "haptics/collision/sampled_shape.h"
+#include "haptics/collision/sampled_sweep.h"
+#include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace fulcrum {
 namespace {
 
 constexpr double kNear_m = 1.0e-5;
+constexpr double kNearThem_m = 1.0e-4;  // by samples
 constexpr double kEnd_s = 1.0;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-MovingShape make_moving(const ContactShape& shape, const Pose& pose, const Twist& velocity) {
-    return {&shape, ContactPlace::of(pose), pose.position, velocity, shape.bounding_radius_m};
+ContactShape make_sampled(const SolidShape& solid) {
+    ContactShape shape = make_contact_shape(solid).value();
+    shape.sampled = SampledShape::make(solid).value();
+    return shape;
 }
 
-Twist going(const Vector3& linear, const Vector3& angular = Vector3::Zero()) {
-    return {linear, angular};
+MovingShape make_moving(const ContactShape& shape, const Pose& pose,
+                        const Vector3& linear = Vector3::Zero(),
+                        const Vector3& angular = Vector3::Zero()) {
+    return {
+        &shape, ContactPlace::of(pose), pose.position, {linear, angular}, shape.bounding_radius_m};
 }
+
+const ContactShape kBall = make_contact_shape(SphereShape{0.01}).value();
+const ContactShape kBox = make_contact_shape(BoxShape{Vector3::Constant(0.05)}).value();
 
 TEST_CASE("contact sweep: a ball meets a box, a ball and the ground when the way says so") {
-    const ContactShape ball = make_contact_shape(SphereShape{0.01}).value();
-    const ContactShape box = make_contact_shape(BoxShape{Vector3::Constant(0.05)}).value();
     const ContactShape ground = make_half_space();
     const Vector3 down(0.0, -2.0, 0.0);
-    const MovingShape falling = make_moving(ball, Pose::at({0.0, 0.5, 0.0}), going(down));
+    const MovingShape falling = make_moving(kBall, Pose::at({0.0, 0.5, 0.0}), down);
     const auto meets = [&](const ContactShape& shape) {
-        return find_meeting_s(falling, make_moving(shape, Pose{}, going(Vector3::Zero())), kNear_m,
-                              kEnd_s);
+        return find_meeting_s(falling, make_moving(shape, Pose{}), kNear_m, kEnd_s);
     };
-    CHECK(meets(box) == Approx(0.44 / 2.0).margin(kNear_m));
-    CHECK(meets(ball) == Approx(0.48 / 2.0).margin(kNear_m));
+    CHECK(meets(kBox) == Approx(0.44 / 2.0).margin(kNear_m));
+    CHECK(meets(kBall) == Approx(0.48 / 2.0).margin(kNear_m));
     CHECK(meets(ground) == Approx(0.49 / 2.0).margin(kNear_m));
     // Not before the end, and not where both go the same way.
-    const MovingShape below = make_moving(box, Pose{}, going(Vector3::Zero()));
+    const MovingShape below = make_moving(kBox, Pose{});
     CHECK(std::isinf(find_meeting_s(falling, below, kNear_m, 0.2)));
-    CHECK(std::isinf(
-        find_meeting_s(falling, make_moving(box, Pose{}, going(down)), kNear_m, kEnd_s)));
-    CHECK(find_meeting_s(below, falling, kNear_m, kEnd_s) == meets(box));
+    CHECK(std::isinf(find_meeting_s(falling, make_moving(kBox, Pose{}, down), kNear_m, kEnd_s)));
+    CHECK(find_meeting_s(below, falling, kNear_m, kEnd_s) == meets(kBox));
 }
 
 TEST_CASE("contact sweep: what passes by a hair does not meet, however fast") {
-    const ContactShape ball = make_contact_shape(SphereShape{0.01}).value();
-    const ContactShape box = make_contact_shape(BoxShape{Vector3::Constant(0.05)}).value();
-    const MovingShape still = make_moving(box, Pose{}, going(Vector3::Zero()));
     for (const double speed : {1.0, 100.0, 1.0e4}) {
         for (const double clear_m : {1.0e-4, -1.0e-4}) {
             CAPTURE(speed, clear_m);
             const MovingShape passing =
-                make_moving(ball, Pose::at({-0.9, 0.06 + clear_m, 0.01}), going({speed, 0.0, 0.0}));
-            const double met_s = find_meeting_s(passing, still, kNear_m, 2.0 / speed);
+                make_moving(kBall, Pose::at({-0.9, 0.06 + clear_m, 0.01}), {speed, 0.0, 0.0});
+            const double met_s =
+                find_meeting_s(passing, make_moving(kBox, Pose{}), kNear_m, 2.0 / speed);
             CHECK(std::isinf(met_s) == (clear_m > 0.0));
         }
     }
@@ -61,35 +72,34 @@ TEST_CASE("contact sweep: what passes by a hair does not meet, however fast") {
 TEST_CASE("contact sweep: a wall of a tenth of a millimetre is met") {
     const ContactShape box = make_contact_shape(BoxShape{{0.02, 0.03, 0.05}}).value();
     const ContactShape wall = make_contact_shape(BoxShape{{5.0e-5, 1.0, 1.0}}).value();
-    const MovingShape still = make_moving(wall, Pose{}, going(Vector3::Zero()));
-    const MovingShape flung =
-        make_moving(box, Pose::at({-0.5, 0.0, 0.0}), going({1000.0, 0.0, 0.0}, {0.0, 0.0, 0.0}));
-    CHECK(find_meeting_s(flung, still, kNear_m, 1.0e-3) ==
+    const MovingShape flung = make_moving(box, Pose::at({-0.5, 0.0, 0.0}), {1000.0, 0.0, 0.0});
+    CHECK(find_meeting_s(flung, make_moving(wall, Pose{}), kNear_m, 1.0e-3) ==
           Approx((0.48 - 5.0e-5) / 1000.0).margin(1.0e-7));
 }
 
 TEST_CASE("contact sweep: a rod that turns meets what its end comes to") {
     const ContactShape rod = make_contact_shape(BoxShape{{0.1, 0.001, 0.001}}).value();
-    const ContactShape ball = make_contact_shape(SphereShape{0.01}).value();
-    const MovingShape turning = make_moving(rod, Pose{}, going(Vector3::Zero(), {0.0, 0.0, 2.0}));
-    const MovingShape still = make_moving(ball, Pose::at({0.0, 0.08, 0.0}), going(Vector3::Zero()));
-    const double met_s = find_meeting_s(turning, still, kNear_m, 2.0);
+    const MovingShape turning = make_moving(rod, Pose{}, Vector3::Zero(), {0.0, 0.0, 2.0});
+    const auto meets_at = [&](double y) {
+        return find_meeting_s(turning, make_moving(kBall, Pose::at({0.0, y, 0.0})), kNear_m, 2.0);
+    };
     // Its edge, 1 mm beside the middle, comes to 1 cm from the ball's centre.
-    CHECK(met_s == Approx((0.5 * M_PI - std::asin(0.011 / 0.08)) / 2.0).margin(1.0e-4));
-    const MovingShape beyond =
-        make_moving(ball, Pose::at({0.0, 0.12, 0.0}), going(Vector3::Zero()));
-    CHECK(std::isinf(find_meeting_s(turning, beyond, kNear_m, 2.0)));
+    CHECK(meets_at(0.08) == Approx((0.5 * M_PI - std::asin(0.011 / 0.08)) / 2.0).margin(1.0e-4));
+    CHECK(std::isinf(meets_at(0.12)));
 }
 
 TEST_CASE("contact sweep: never later than the bodies are that near") {
     Random random(17);
     const ContactShape box = make_contact_shape(BoxShape{{0.02, 0.05, 0.03}}).value();
     const ContactShape can = make_contact_shape(CylinderShape{0.03, 0.02}).value();
+    const auto draw = [&](const ContactShape& shape) {
+        const Pose pose{Vector3(0.3 * random.in_cube()), random.turn(3.0)};
+        const Vector3 linear = random.in_cube();
+        return make_moving(shape, pose, linear, Vector3(5.0 * random.in_cube()));
+    };
     for (int i = 0; i < 200; ++i) {
-        const MovingShape a = make_moving(box, {Vector3(0.3 * random.in_cube()), random.turn(3.0)},
-                                          going(random.in_cube(), Vector3(5.0 * random.in_cube())));
-        const MovingShape b = make_moving(can, {Vector3(0.3 * random.in_cube()), random.turn(3.0)},
-                                          going(random.in_cube(), Vector3(5.0 * random.in_cube())));
+        const MovingShape a = draw(box);
+        const MovingShape b = draw(can);
         const double met_s = find_meeting_s(a, b, 1.0e-4, 0.5);
         for (double at_s = 0.0; at_s < std::min(met_s, 0.5); at_s += 0.01) {
             ContactManifold manifold;
@@ -100,11 +110,65 @@ TEST_CASE("contact sweep: never later than the bodies are that near") {
     }
 }
 
+TEST_CASE("sampled sweep: a ball meets a plate of triangles when the way says so, however fast") {
+    const ContactShape plate = make_sampled(SolidShape(touchable(make_box({0.3, 0.01, 0.3}))));
+    const ContactShape ball = make_sampled(SphereShape{0.02});
+    const MovingShape still = make_moving(plate, Pose{});
+    for (const double speed : {0.5, 10.0, 100.0, 1.0e3}) {
+        CAPTURE(speed);
+        const MovingShape falling =
+            make_moving(ball, Pose::at({0.03, 0.5, -0.02}), {0.0, -speed, 0.0});
+        const double met_s = find_sampled_meeting_s(falling, still, kNearThem_m, 1.0 / speed);
+        // To what samples and a field of 3 mm tell of a flat face.
+        CHECK(speed * met_s == Approx(0.475).margin(3.0e-4));
+        CHECK(find_sampled_meeting_s(still, falling, kNearThem_m, 1.0 / speed) ==
+              Approx(met_s).epsilon(1.0e-3));
+        CHECK(std::isinf(find_sampled_meeting_s(falling, still, kNearThem_m, 0.4 / speed)));
+    }
+}
+
+TEST_CASE("sampled sweep: a ball meets a ring where it touches, and not what it passes") {
+    const ContactShape ring = make_sampled(SolidShape(touchable(make_torus(0.06, 0.02, 48, 24))));
+    const ContactShape ball = make_sampled(SphereShape{0.02});
+    const auto meets_at_m = [&](const Vector3& from, const Vector3& way) {
+        return find_sampled_meeting_s(make_moving(ball, Pose::at(from), way),
+                                      make_moving(ring, Pose{}), kNearThem_m, 1.0);
+    };
+    // Its hole is 0.04 wide about the axis; the tube reaches out to 0.08.
+    const Vector3 down(0.0, -1.0, 0.0);
+    for (const double x : {0.0, 0.018, 0.102}) {
+        CHECK(std::isinf(meets_at_m({x, 0.5, 0.0}, down)));
+    }
+    // On the tube's top, and from beside: both surfaces are round.
+    CHECK(meets_at_m({0.06, 0.5, 0.0}, down) == Approx(0.46).margin(5.0e-4));
+    CHECK(meets_at_m({0.5, 0.0, 0.0}, {-1.0, 0.0, 0.0}) == Approx(0.4).margin(5.0e-4));
+    // Within the hole it meets the other side.
+    CHECK(meets_at_m({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}) == Approx(0.02).margin(5.0e-4));
+    // What touches meets at once.
+    CHECK(meets_at_m({0.06, 0.04, 0.0}, {0.0, 1.0, 0.0}) == 0.0);
+    CHECK(std::isinf(meets_at_m({0.06, 0.05, 0.0}, Vector3::Zero())));
+    CHECK(std::isinf(meets_at_m({kNaN, 0.0, 0.0}, {1.0, 0.0, 0.0})));
+}
+
+TEST_CASE("sampled sweep: a bar that turns meets what its end sweeps over, and not before") {
+    const ContactShape bar = make_sampled(SolidShape(touchable(make_box({0.4, 0.02, 0.02}))));
+    const ContactShape ball = make_sampled(SphereShape{0.01});
+    const MovingShape turning =
+        make_moving(bar, Pose{}, Vector3::Zero(), {0.0, 0.5 * std::numbers::pi, 0.0});
+    const auto meets_at = [&](double z) {
+        return find_sampled_meeting_s(turning, make_moving(ball, Pose::at({0.0, 0.0, z})),
+                                      kNearThem_m, 2.0);
+    };
+    // A quarter turn about y a second: the end goes from x to -z. Its side is 0.01 before its middle, the ball's 0.01.
+    const double ahead = std::asin(0.02 / 0.18) / (0.5 * std::numbers::pi);
+    CHECK(meets_at(-0.18) == Approx(1.0 - ahead).margin(2.0e-3));
+    CHECK(std::isinf(meets_at(-0.23)));
+}
+
 TEST_CASE("contact sweep: what is no number meets nothing") {
-    const ContactShape ball = make_contact_shape(SphereShape{0.01}).value();
-    MovingShape lost = make_moving(ball, Pose{}, going({1.0, 0.0, 0.0}));
-    lost.place.position_W.x() = std::numeric_limits<double>::quiet_NaN();
-    const MovingShape still = make_moving(ball, Pose::at({0.1, 0.0, 0.0}), going(Vector3::Zero()));
+    MovingShape lost = make_moving(kBall, Pose{}, {1.0, 0.0, 0.0});
+    lost.place.position_W.x() = kNaN;
+    const MovingShape still = make_moving(kBall, Pose::at({0.1, 0.0, 0.0}));
     CHECK(std::isinf(find_meeting_s(lost, still, kNear_m, kEnd_s)));
 }
 

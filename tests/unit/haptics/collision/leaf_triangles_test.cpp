@@ -1,5 +1,7 @@
+// What is told of a mesh near a cursor: leaf_triangles.h of eight triangles, near_leaves.h of the leaves in a box.
 #include "haptics/collision/leaf_triangles.h"
 
+#include "haptics/collision/near_leaves.h"
 #include "haptics/collision/triangle_gap.h"
 #include "haptics/geometry/shape.h"
 #include "tests/support/touchable.h"
@@ -8,15 +10,31 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace fulcrum {
 namespace {
 
 constexpr int kPlaces = 33;  // on a way, where its distance is taken
+
+double find_distance_m(const CollisionMesh& mesh, std::int32_t triangle, const Vector3& at) {
+    return find_triangle_gap(prepare_for_gap(mesh, triangle), at).distance_m;
+}
+
+// Of a triangle: the box round it, and how high it reaches.
+Box find_box(const CollisionMesh& mesh, std::int32_t triangle) {
+    const auto [a, b, c] = mesh.places_B(triangle);
+    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+double find_top(const CollisionMesh& mesh, std::int32_t triangle, const Vector3& up) {
+    const auto [a, b, c] = mesh.places_B(triangle);
+    return std::max({up.dot(a), up.dot(b), up.dot(c)});
+}
 
 // The least distance between a triangle and the places of a way, which is that of the way or little more.
 double least_distance(const CollisionMesh& mesh, std::int32_t triangle, const Vector3& from,
@@ -29,13 +47,11 @@ double least_distance(const CollisionMesh& mesh, std::int32_t triangle, const Ve
     }
     return least;
 }
-
 struct Counts {
     int n_met = 0;
     int n_asked = 0;
     int n = 0;
 };
-
 // Every triangle that a ball meets on its way must be among those told.
 Counts try_ways(const CollisionMesh& mesh, const Vector3& middle, double scale, unsigned seed) {
     Random random(seed);
@@ -65,7 +81,6 @@ Counts try_ways(const CollisionMesh& mesh, const Vector3& middle, double scale, 
     CAPTURE(middle, scale);
     return counts;
 }
-
 TEST_CASE("leaf triangles: none that a ball meets on its way is left out, at any size and place") {
     for (const double scale : {1.0e-6, 1.0, 1.0e6}) {
         for (const double away : {0.0, 1.0e3}) {
@@ -84,7 +99,6 @@ TEST_CASE("leaf triangles: none that a ball meets on its way is left out, at any
         }
     }
 }
-
 TEST_CASE("leaf triangles: what is just touched is told, whatever single precision makes of it") {
     const auto mesh = touchable(make_bumpy_sphere(0.3, 8, 0.1, 6.0));
     Random random(31);
@@ -92,26 +106,22 @@ TEST_CASE("leaf triangles: what is just touched is told, whatever single precisi
     for (std::int32_t triangle = 0; triangle < mesh->n_triangles(); ++triangle) {
         leaf.load(*mesh, triangle / 8);
         const unsigned bit = 1U << static_cast<unsigned>(triangle % 8);
-        const auto [a, b, c] = mesh->places_B(triangle);
+        const Vector3 a = mesh->places_B(triangle)[0];
         for (const double away : {0.01, 0.1, 1.0, 10.0}) {
             const Vector3 at = a + away * random.direction();
-            const double distance =
-                find_triangle_gap(prepare_for_gap(*mesh, triangle), at).distance_m;
+            const double distance = find_distance_m(*mesh, triangle, at);
             REQUIRE((leaf.find_near(at, Vector3::Zero(), distance * (1.0 + 1.0e-14)) & bit) != 0);
             // Met at the end of a way that leads towards it, or past it.
             const Vector3 half = 0.3 * away * random.direction();
             REQUIRE((leaf.find_near(at - half, half, distance * (1.0 + 1.0e-14)) & bit) != 0);
         }
         const Vector3 up = random.direction();
-        const double top = std::max({up.dot(a), up.dot(b), up.dot(c)});
-        REQUIRE((leaf.find_above(up, top - 1.0e-15) & bit) != 0);
-        const Vector3 lower = a.cwiseMin(b).cwiseMin(c);
-        const Vector3 upper = a.cwiseMax(b).cwiseMax(c);
+        REQUIRE((leaf.find_above(up, find_top(*mesh, triangle, up) - 1.0e-15) & bit) != 0);
+        const auto [lower, upper] = find_box(*mesh, triangle);
         REQUIRE((leaf.find_in_box({upper, upper + Vector3::Ones()}) & bit) != 0);
         REQUIRE((leaf.find_in_box({lower - Vector3::Ones(), lower}) & bit) != 0);
     }
 }
-
 TEST_CASE("leaf triangles: slivers and triangles of one point are asked rather than left out") {
     // Strips a thousandth as wide as long.
     std::vector<Vector3> vertices;
@@ -131,7 +141,6 @@ TEST_CASE("leaf triangles: slivers and triangles of one point are asked rather t
     const double none = std::numeric_limits<double>::quiet_NaN();
     CHECK(leaf.find_near(Vector3::Constant(none), Vector3::Zero(), 0.1) == 0xFFU);
 }
-
 TEST_CASE("leaf triangles: of a fine surface a ball that lies on it asks about what it touches") {
     const auto mesh = touchable(make_sphere(1.0, 40));
     constexpr double kRadius = 0.2;
@@ -149,7 +158,6 @@ TEST_CASE("leaf triangles: of a fine surface a ball that lies on it asks about w
     // A gap of 1e-4 leaves a cap of 4 mm in radius that is nearer than the flat middle of a face is below the sphere.
     CHECK(n_asked < 2 * kPlacesOnIt);
 }
-
 TEST_CASE("leaf triangles: those in a box, and those above a plane, are all told and few others") {
     for (const double scale : {1.0e-6, 1.0, 1.0e6}) {
         const auto mesh = touchable(make_bumpy_sphere(scale, 8, 0.1, 6.0));
@@ -168,10 +176,9 @@ TEST_CASE("leaf triangles: those in a box, and those above a plane, are all told
             const unsigned in_box = leaf.find_in_box(box);
             const unsigned above = leaf.find_above(up, height);
             for (unsigned bit = 0; bit < 8; ++bit) {
-                const auto [a, b, c] = mesh->places_B(8 * index + static_cast<std::int32_t>(bit));
-                const Box own{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-                const bool is_in_box = own.overlaps(box);
-                const bool is_above = std::max({up.dot(a), up.dot(b), up.dot(c)}) > height;
+                const std::int32_t triangle = 8 * index + static_cast<std::int32_t>(bit);
+                const bool is_in_box = find_box(*mesh, triangle).overlaps(box);
+                const bool is_above = find_top(*mesh, triangle, up) > height;
                 REQUIRE(((in_box >> bit & 1U) != 0 || !is_in_box));
                 REQUIRE(((above >> bit & 1U) != 0 || !is_above));
                 n_wrong += (in_box >> bit & 1U) != (is_in_box ? 1U : 0U) ? 1 : 0;
@@ -185,7 +192,6 @@ TEST_CASE("leaf triangles: those in a box, and those above a plane, are all told
         CHECK(n_above > 100);
     }
 }
-
 TEST_CASE("leaf triangles: a leaf that is not full tells of no others") {
     const auto mesh = touchable(make_box(Vector3::Ones()));
     REQUIRE(mesh->n_triangles() == 12);
@@ -197,6 +203,107 @@ TEST_CASE("leaf triangles: a leaf that is not full tells of no others") {
     CHECK(leaf.find_in_box({Vector3::Constant(-1.0), Vector3::Constant(1.0)}) == 0x0FU);
     CHECK(leaf.find_above(Vector3::UnitY(), -1.0) == 0x0FU);
     CHECK(leaf.find_above(Vector3::UnitY(), 0.6) == 0U);
+}
+
+constexpr double kBall = 0.1;
+
+Box box_of(const Vector3& middle, double half) {
+    return {middle - Vector3::Constant(half), middle + Vector3::Constant(half)};
+}
+std::set<std::int32_t> find_near_way(const NearLeaves& near, const Vector3& from,
+                                     const Vector3& to) {
+    std::set<std::int32_t> found;
+    near.for_each_near_way(from, to, kBall, [&](std::int32_t triangle) { found.insert(triangle); });
+    return found;
+}
+TEST_CASE("near leaves: as the cursor goes on they are those of the box, and few are loaded anew") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 20, 0.1, 6.0));
+    NearLeaves near;
+    CHECK_FALSE(near.covers(box_of(Vector3::UnitX(), 0.0)));
+    Wanderer wanderer(2);
+    std::uint64_t n_leaves = 0;
+    constexpr int kSteps = 400;
+    for (int i = 0; i < kSteps; ++i) {
+        const Vector3 at = 1.1 * wanderer.next();
+        const Box box = box_of(at, 0.15);
+        REQUIRE(near.collect(*mesh, box));
+        CHECK(near.covers(box));
+        CHECK(near.covers(box_of(at, 0.14)));
+        CHECK_FALSE(near.covers(box_of(at, 0.16)));
+        NearLeaves fresh;
+        REQUIRE(fresh.collect(*mesh, box));
+        REQUIRE(std::equal(near.leaves().begin(), near.leaves().end(), fresh.leaves().begin(),
+                           fresh.leaves().end()));
+        const Vector3 to = at + 0.01 * wanderer.next();
+        REQUIRE(find_near_way(near, at, to) == find_near_way(fresh, at, to));
+        n_leaves += near.leaves().size();
+    }
+    CHECK(n_leaves > 10U * kSteps);
+    CHECK(near.n_loads() < n_leaves / 5);
+}
+TEST_CASE("near leaves: every triangle that a ball meets on its way is told") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 16, 0.1, 6.0));
+    Random random(8);
+    NearLeaves near;
+    int n_met = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vector3 from = (1.1 + 0.1 * random.uniform()) * random.direction();
+        const Vector3 to = from + 0.05 * random.in_cube();
+        REQUIRE(near.collect(*mesh, box_of(from, kBall + 0.06)));
+        const std::set<std::int32_t> told = find_near_way(near, from, to);
+        for (std::int32_t triangle = 0; triangle < mesh->n_triangles(); ++triangle) {
+            if (find_distance_m(*mesh, triangle, from) <= kBall ||
+                find_distance_m(*mesh, triangle, to) <= kBall) {
+                REQUIRE(told.contains(triangle));
+                ++n_met;
+            }
+        }
+    }
+    CHECK(n_met > 200);
+}
+TEST_CASE("near leaves: in a box all triangles are told that reach above the floors") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 16, 0.1, 6.0));
+    Random random(14);
+    NearLeaves near;
+    int n_told = 0;
+    int n_asked = 0;
+    for (int i = 0; i < 50; ++i) {
+        const Vector3 out = random.direction();
+        const Box box = box_of(1.05 * out, 0.15);
+        REQUIRE(near.collect(*mesh, box));
+        const std::array<Floor, 2> floors{Floor{out, 1.02}, Floor{out.unitOrthogonal(), -0.05}};
+        std::set<std::int32_t> told;
+        near.for_each_in_box(box, floors, [&](std::int32_t triangle) { told.insert(triangle); });
+        for (std::int32_t triangle = 0; triangle < mesh->n_triangles(); ++triangle) {
+            const bool is_asked =
+                find_box(*mesh, triangle).overlaps(box) &&
+                std::ranges::all_of(floors, [&](const Floor& floor) {
+                    return find_top(*mesh, triangle, floor.normal_B) > floor.height_m;
+                });
+            REQUIRE((told.contains(triangle) || !is_asked));
+            n_asked += is_asked ? 1 : 0;
+        }
+        n_told += static_cast<int>(told.size());
+    }
+    CHECK(n_asked > 200);
+    CHECK(n_told < n_asked + 10);
+}
+TEST_CASE("near leaves: when they are too many none is covered, and the next box is as ever") {
+    const auto mesh = touchable(make_sphere(1.0, 30));
+    NearLeaves near;
+    const Box small = box_of(Vector3::UnitX(), 0.1);
+    REQUIRE(near.collect(*mesh, small));
+    const std::size_t n = near.leaves().size();
+    CHECK_FALSE(near.collect(*mesh, box_of(Vector3::Zero(), 2.0)));
+    CHECK_FALSE(near.covers(small));
+    REQUIRE(near.collect(*mesh, small));
+    CHECK(near.leaves().size() == n);
+    // Nothing had to be loaded again.
+    CHECK(near.n_loads() == n);
+    // A box beside the mesh has none, which is known.
+    REQUIRE(near.collect(*mesh, box_of(Vector3(5.0, 0.0, 0.0), 0.1)));
+    CHECK(near.leaves().empty());
+    CHECK(find_near_way(near, Vector3(5.0, 0.0, 0.0), Vector3(5.0, 0.01, 0.0)).empty());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
+// Structures that find where a segment meets a mesh first, all against brute force. What h_collide.h adds is asked of it alone.
 #include "haptics/collision/segment_structure.h"
 
+#include "haptics/collision/h_collide.h"
 #include "haptics/geometry/shape.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/random_segments.h"
@@ -7,62 +9,42 @@
 
 #include <catch2/catch.hpp>
 
-#include <array>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace fulcrum {
 namespace {
 
 using Mesh = std::shared_ptr<const CollisionMesh>;
 
-std::unique_ptr<SegmentStructure> make(SegmentStructureKind kind, const Mesh& mesh) {
-    auto made = make_segment_structure(kind, mesh);
-    REQUIRE(made);
-    return std::move(*made);
-}
-
 bool is_same(const SegmentHit& a, const SegmentHit& b) {
     return a.triangle == b.triangle && a.t == b.t && a.side == b.side;
 }
 
 // All structures against brute force.
-class Comparison {
-  public:
-    explicit Comparison(const Mesh& mesh)
-        : reference_(make(SegmentStructureKind::brute_force, mesh)),
-          tree_(make(SegmentStructureKind::bounding_tree, mesh)),
-          grid_(make(SegmentStructureKind::h_collide, mesh)) {}
-    void ask(const Vector3& from, const Vector3& to) {
-        const SegmentHit expected = reference_->find_nearest_hit(from, to);
-        n_hits += expected.found() ? 1 : 0;
-        n_other_by_tree += is_same(expected, tree_->find_nearest_hit(from, to)) ? 0 : 1;
-        n_other_by_grid += is_same(expected, grid_->find_nearest_hit(from, to)) ? 0 : 1;
-    }
+void compare(const Mesh& mesh, int n_random, int n_hard_of_each) {
+    using enum SegmentStructureKind;
+    const auto reference = make_segment_structure(brute_force, mesh).value();
+    const auto tree = make_segment_structure(bounding_tree, mesh).value();
+    const auto grid = make_segment_structure(h_collide, mesh).value();
+    RandomSegments segments(*mesh, 91);
     int n_hits = 0;
     int n_other_by_tree = 0;
     int n_other_by_grid = 0;
-
-  private:
-    std::unique_ptr<SegmentStructure> reference_;
-    std::unique_ptr<SegmentStructure> tree_;
-    std::unique_ptr<SegmentStructure> grid_;
-};
-
-void compare(const Mesh& mesh, int n_random, int n_hard_of_each) {
-    Comparison all(mesh);
-    RandomSegments segments(*mesh, 91);
-    for (int i = 0; i < n_random; ++i) {
-        const auto [from, to] = segments.draw();
-        all.ask(from, to);
+    for (int i = 0; i < n_random + n_hard_of_each * RandomSegments::kKinds; ++i) {
+        const auto [from, to] = i < n_random
+                                    ? segments.draw()
+                                    : segments.draw_hard((i - n_random) % RandomSegments::kKinds);
+        const SegmentHit expected = reference->find_nearest_hit(from, to);
+        n_hits += i < n_random && expected.found() ? 1 : 0;
+        n_other_by_tree += is_same(expected, tree->find_nearest_hit(from, to)) ? 0 : 1;
+        n_other_by_grid += is_same(expected, grid->find_nearest_hit(from, to)) ? 0 : 1;
     }
-    CHECK(all.n_hits > n_random / 20);
-    CHECK(all.n_hits < n_random);
-    for (int i = 0; i < n_hard_of_each * RandomSegments::kKinds; ++i) {
-        const auto [from, to] = segments.draw_hard(i % RandomSegments::kKinds);
-        all.ask(from, to);
-    }
-    CHECK(all.n_other_by_tree == 0);
-    CHECK(all.n_other_by_grid == 0);
+    CHECK(n_hits > n_random / 20);
+    CHECK(n_hits < n_random);
+    CHECK(n_other_by_tree == 0);
+    CHECK(n_other_by_grid == 0);
 }
 
 // Triangles of all sizes that cross each other.
@@ -80,6 +62,18 @@ Expected<TriangleMesh> make_soup() {
     }
     return TriangleMesh::build(std::move(vertices), std::move(triangles));
 }
+// The same with corners in common, some of them without area.
+Expected<TriangleMesh> make_web() {
+    Random random(23);
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    const auto draw = [&] { return static_cast<std::int32_t>(random.integer() % 600); };
+    for (std::int32_t i = 0; i < 600; ++i) {
+        vertices.emplace_back(random.in_cube());
+        triangles.push_back({draw(), draw(), draw()});
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles));
+}
 
 Expected<TriangleMesh> moved(const TriangleMesh& mesh, const Vector3& by) {
     std::vector<Vector3> vertices = mesh.vertices_B();
@@ -93,21 +87,29 @@ TEST_CASE("segment structures: all find the hits of brute force on a million ran
     compare(touchable(make_bumpy_sphere(1.0, 4, 0.1, 7.0)), 1000000, 2000);
 }
 
-TEST_CASE("segment structures: all find the hits of brute force on tori, slivers and soups") {
-    compare(touchable(make_torus(8e3, 2e3, 24, 12)), 10000, 200);
-    compare(touchable(make_globe(1e-4, 40, 12)), 10000, 200);
-    compare(touchable(make_soup()), 10000, 200);
-    compare(touchable(make_bumpy_sphere(1.0, 12, 0.1, 7.0)), 2000, 50);
-}
-
-TEST_CASE("segment structures: all find the hits of brute force on flat, boxed and far meshes") {
-    compare(touchable(make_box(Vector3(1.0, 1.0, 1.0))), 10000, 1000);
-    compare(touchable(make_box(Vector3(1.0, 1e-4, 3.0))), 10000, 1000);
-    compare(touchable(make_trench(0.7, 40)), 10000, 300);
-    compare(touchable(moved(*make_sphere(1.0, 5), Vector3(1e5, -3e5, 2e5))), 10000, 100);
-    // A flat plate is met by few; most of the hard ones lie in its plane.
-    const auto plate = touchable(make_plate(1.0, 2.0, 8));
-    compare(plate, 10000, 1000);
+TEST_CASE("segment structures: all find the hits of brute force on every kind of mesh") {
+    struct Kind {
+        const char* name;
+        Expected<TriangleMesh> mesh;
+        int n_random, n_hard_of_each;
+    };
+    const Kind kinds[] = {{"torus", make_torus(8e3, 2e3, 24, 12), 30000, 200},
+                          {"slivers", make_globe(1e-4, 40, 12), 10000, 200},
+                          {"globe", make_globe(1.0, 24, 12), 30000, 200},
+                          {"small", make_bumpy_sphere(1e-4, 4, 0.1, 7.0), 30000, 200},
+                          {"soup", make_soup(), 10000, 200},
+                          {"web", make_web(), 20000, 200},
+                          {"bumpy", make_bumpy_sphere(1.0, 12, 0.1, 7.0), 2000, 50},
+                          {"box", make_box(Vector3(1.0, 1.0, 1.0)), 30000, 1000},
+                          {"flat box", make_box(Vector3(1.0, 1e-4, 3.0)), 10000, 1000},
+                          {"trench", make_trench(0.7, 40), 10000, 300},
+                          {"far", moved(*make_sphere(1.0, 5), Vector3(1e5, -3e5, 2e5)), 10000, 100},
+                          // Met by few; most of the hard ones lie in its plane.
+                          {"plate", make_plate(1.0, 2.0, 8), 10000, 1000}};
+    for (const Kind& kind : kinds) {
+        INFO(kind.name);
+        compare(touchable(kind.mesh), kind.n_random, kind.n_hard_of_each);
+    }
 }
 
 TEST_CASE("segment structures: names lead to kinds and back, and others to nothing") {
@@ -121,15 +123,105 @@ TEST_CASE("segment structures: names lead to kinds and back, and others to nothi
 }
 
 TEST_CASE("segment structures: no mesh and settings out of range are refused") {
+    using enum SegmentStructureKind;
     const auto box = touchable(make_box(Vector3::Ones()));
-    CHECK_FALSE(make_segment_structure(SegmentStructureKind::bounding_tree, nullptr));
-    CHECK_FALSE(make_segment_structure(SegmentStructureKind::h_collide, nullptr));
-    CHECK_FALSE(
-        make_segment_structure(SegmentStructureKind::h_collide, box, {.triangles_a_cell = 0.5}));
-    CHECK_FALSE(
-        make_segment_structure(SegmentStructureKind::h_collide, box, {.triangles_a_leaf = 0}));
-    CHECK(make_segment_structure(SegmentStructureKind::brute_force, box).value()->memory_bytes() ==
-          0);
+    CHECK_FALSE(make_segment_structure(bounding_tree, nullptr));
+    CHECK_FALSE(make_segment_structure(h_collide, nullptr));
+    CHECK_FALSE(make_segment_structure(h_collide, box, {.triangles_a_cell = 0.5}));
+    CHECK_FALSE(make_segment_structure(h_collide, box, {.triangles_a_leaf = 0}));
+    CHECK(make_segment_structure(brute_force, box).value()->memory_bytes() == 0);
+}
+
+std::shared_ptr<const HCollide> make(const Mesh& mesh, const HCollideSettings& settings = {}) {
+    return HCollide::create(mesh, settings).value();
+}
+
+// Hits of the grid, with what it remembers from one to the next, are those of brute force.
+void check_hits(const Mesh& mesh, const HCollide& grid, unsigned seed, int n, bool hard) {
+    RandomSegments segments(*mesh, seed);
+    HCollide::Memory memory;
+    for (int i = 0; i < n; ++i) {
+        const auto [from, to] =
+            hard ? segments.draw_hard(i % RandomSegments::kKinds) : segments.draw();
+        REQUIRE(grid.find_nearest_hit(from, to, memory).triangle ==
+                find_nearest_hit_brute_force(*mesh, from, to).triangle);
+    }
+}
+
+TEST_CASE("h-collide: whatever its cells, leaves and memory, hits are the same") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 8, 0.05, 9.0));
+    for (const double triangles_a_cell : {1.0, 20.0, 1000.0, 1.0e6}) {
+        for (const int triangles_a_leaf : {1, 7, 1000}) {
+            const auto grid = make(mesh, {triangles_a_cell, triangles_a_leaf});
+            RandomSegments segments(*mesh, 5);
+            HCollide::Memory kept;
+            for (int i = 0; i < 400; ++i) {
+                const auto [from, to] = i % 2 == 0
+                                            ? segments.draw()
+                                            : segments.draw_hard(i / 2 % RandomSegments::kKinds);
+                const SegmentHit expected = find_nearest_hit_brute_force(*mesh, from, to);
+                HCollide::Memory fresh;
+                for (HCollide::Memory* const memory : {&kept, &fresh}) {
+                    const SegmentHit hit = grid->find_nearest_hit(from, to, *memory);
+                    REQUIRE(hit.triangle == expected.triangle);
+                    REQUIRE(hit.t == expected.t);
+                }
+            }
+        }
+    }
+}
+TEST_CASE("h-collide: it remembers the triangle that was met and the cell where it ended") {
+    const auto mesh = touchable(make_box(Vector3::Ones()));
+    const auto grid = make(mesh);
+    HCollide::Memory memory;
+    const SegmentHit hit =
+        grid->find_nearest_hit(Vector3(0.1, 2.0, 0.2), Vector3(0.1, 0.0, 0.2), memory);
+    CHECK(hit.found());
+    CHECK(memory.triangle == hit.triangle);
+    CHECK(memory.has_cell);
+    // A miss forgets nothing: the next question will be near.
+    (void)grid->find_nearest_hit(Vector3(0.1, 2.0, 0.2), Vector3(0.1, 1.0, 0.2), memory);
+    CHECK(memory.triangle == hit.triangle);
+}
+TEST_CASE("h-collide: cells hold about as many triangles as asked, and no empty one is kept") {
+    const auto mesh = touchable(make_sphere(1.0, 30));  // 18000 triangles
+    const auto fine = make(mesh, {.triangles_a_cell = 4.0});
+    const auto coarse = make(mesh, {.triangles_a_cell = 64.0});
+    // A sheet passes through some twice the cells that its area alone would fill.
+    CHECK(fine->n_cells() > 18000 / 4);
+    CHECK(fine->n_cells() < 3 * 18000 / 4);
+    CHECK(coarse->n_cells() > 18000 / 64);
+    CHECK(coarse->n_cells() < 3 * 18000 / 64);
+    CHECK(coarse->cell_m() == Approx(4.0 * fine->cell_m()));
+    CHECK(fine->memory_bytes() > coarse->memory_bytes());
+}
+
+TEST_CASE("h-collide: long triangles among small ones do not fill the memory") {
+    // Blades across the whole room, and a ball of small triangles that asks for small cells.
+    const auto ball = make_sphere(0.01, 12);
+    std::vector<Vector3> vertices = ball->vertices_B();
+    std::vector<TriangleCorners> triangles = ball->triangles();
+    Random random(3);
+    for (int i = 0; i < 300; ++i) {
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        const Vector3 end = random.direction();
+        vertices.emplace_back(end);
+        vertices.emplace_back(-end);
+        vertices.emplace_back(end + 1.0e-4 * random.direction());
+        triangles.push_back({first, first + 1, first + 2});
+    }
+    const auto mesh = touchable(TriangleMesh::build(vertices, triangles));
+    const auto grid = make(mesh);
+    CHECK(grid->memory_bytes() < 2000U * static_cast<unsigned>(mesh->n_triangles()));
+    check_hits(mesh, *grid, 7, 600, true);
+}
+
+TEST_CASE("h-collide: meshes from the smallest to the largest size that a mesh may have") {
+    for (const double scale : {1e-15, 1e-4, 1e4, 1e15}) {
+        CAPTURE(scale);
+        const auto mesh = touchable(make_bumpy_sphere(scale, 4, 0.05, 9.0));
+        check_hits(mesh, *make(mesh), 9, 2000, false);
+    }
 }
 
 }  // namespace
