@@ -78,10 +78,18 @@ inline ToolFelt move_to(GodObjectTool& tool, const Pose& handle_W, int n_steps =
     return felt;
 }
 
+/// Of one of its triangles, from that frame.
+inline Triangle find_corners(const TriangleMesh& mesh, const TriangleCorners& t,
+                             const Pose& pose = {}) {
+    const auto at = [&](std::size_t i) -> Vector3 {
+        return pose * mesh.vertices_B()[static_cast<std::size_t>(t[i])];
+    };
+    return {at(0), at(1), at(2)};
+}
+
 /// Do surfaces cross? Every triangle against every other whose boxes along the axes meet, by exact signs.
 inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const TriangleMesh& tool,
                      const Pose& tool_W) {
-    const Pose X_OT = object_W.inverse() * tool_W;
     struct Boxed {
         Triangle corners;
         Vector3 low, high;
@@ -90,17 +98,14 @@ inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const Tri
         std::vector<Boxed> all;
         all.reserve(mesh.triangles().size());
         for (const TriangleCorners& t : mesh.triangles()) {
-            const auto at = [&](std::size_t i) -> Vector3 {
-                return pose * mesh.vertices_B()[static_cast<std::size_t>(t[i])];
-            };
-            const Triangle c{at(0), at(1), at(2)};
+            const Triangle c = find_corners(mesh, t, pose);
             all.push_back(
                 {c, c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])});
         }
         return all;
     };
     const std::vector<Boxed> fixed = list(object, Pose{});
-    for (const Boxed& moving : list(tool, X_OT)) {
+    for (const Boxed& moving : list(tool, object_W.inverse() * tool_W)) {
         for (const Boxed& held : fixed) {
             if (all_at_most(moving.low, held.high) && all_at_most(held.low, moving.high) &&
                 fulcrum::do_cross(held.corners, moving.corners)) {
@@ -116,12 +121,7 @@ inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const Tri
 inline double find_winding(const TriangleMesh& mesh, const Vector3& at_B) {
     double angles = 0.0;
     for (const TriangleCorners& t : mesh.triangles()) {
-        const auto towards = [&](std::size_t i) -> Vector3 {
-            return mesh.vertices_B()[static_cast<std::size_t>(t[i])] - at_B;
-        };
-        const Vector3 a = towards(0);
-        const Vector3 b = towards(1);
-        const Vector3 c = towards(2);
+        const auto [a, b, c] = find_corners(mesh, t, Pose::at(-at_B));
         angles += 2.0 * std::atan2(a.dot(b.cross(c)),
                                    a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
                                        b.dot(c) * a.norm() + c.dot(a) * b.norm());
@@ -142,19 +142,13 @@ inline bool do_enter(const TriangleMesh& object, const Pose& object_W, const Tri
 /// Between surfaces: every triangle against every other, by their features; 0 where they cross.
 inline double find_distance_m(const TriangleMesh& object, const Pose& object_W,
                               const TriangleMesh& tool, const Pose& tool_W) {
-    const auto corners = [](const TriangleMesh& mesh, const TriangleCorners& t, const Pose& pose) {
-        const auto at = [&](std::size_t i) -> Vector3 {
-            return pose * mesh.vertices_B()[static_cast<std::size_t>(t[i])];
-        };
-        return Triangle{at(0), at(1), at(2)};
-    };
     const Pose X_OT = object_W.inverse() * tool_W;
     double least_m = std::numeric_limits<double>::infinity();
     for (const TriangleCorners& t : tool.triangles()) {
-        const Triangle moving = corners(tool, t, X_OT);
+        const Triangle moving = find_corners(tool, t, X_OT);
         for (const TriangleCorners& o : object.triangles()) {
-            least_m = std::min(
-                least_m, find_nearest_features(corners(object, o, Pose{}), moving).distance_m);
+            least_m = std::min(least_m,
+                               find_nearest_features(find_corners(object, o), moving).distance_m);
         }
     }
     return least_m;
