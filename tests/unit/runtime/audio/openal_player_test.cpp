@@ -1,53 +1,13 @@
 #include "runtime/audio/openal/openal_player.h"
 
 #include "runtime/audio/synthesis.h"
+#include "tests/unit/runtime/audio/heard.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
-
-namespace {
-
-constexpr double kFrame_s = 0.01;
-constexpr std::size_t kFrame = 480;
-
-std::unique_ptr<LoopbackPlayer> open_loopback(const SoundSettings& settings = {}) {
-    auto player = open_openal_loopback(settings);
-    REQUIRE(player.has_value());
-    return std::move(*player);
-}
-
-/// Renders `n` frames of 10 ms with an update before each.
-std::vector<float> run(LoopbackPlayer& player, int n) {
-    std::vector<float> all;
-    for (int i = 0; i < n; ++i) {
-        player.update(kFrame_s);
-        const auto part = player.render(kFrame);
-        all.insert(all.end(), part.begin(), part.end());
-    }
-    return all;
-}
-
-double rms(const std::vector<float>& x) {
-    double sum = 0.0;
-    for (const float sample : x) {
-        sum += static_cast<double>(sample) * static_cast<double>(sample);
-    }
-    return x.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(x.size()));
-}
-
-float peak(const std::vector<float>& x) {
-    return std::accumulate(x.begin(), x.end(), 0.0F,
-                           [](float a, float b) { return std::max(a, std::abs(b)); });
-}
-
-}  // namespace
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("openal: two players asked the same render the same bytes") {
     const auto session = [] {
@@ -75,7 +35,7 @@ TEST_CASE("openal: a sound is heard for as long as it was made, then there is si
     const auto frames = static_cast<int>(std::lround(duration_s / kFrame_s));
     CHECK(rms(run(*player, frames / 2)) > 0.01);
     run(*player, frames - frames / 2 + 2);
-    CHECK(peak(run(*player, 20)) == 0.0F);
+    CHECK(loudest(run(*player, 20)) == 0.0F);
 }
 
 TEST_CASE("openal: what comes out follows the gain, and the pitch shortens a sound") {
@@ -107,17 +67,20 @@ TEST_CASE("openal: bad names and numbers are errors and make no sound") {
     CHECK_FALSE(player->play("moo"));
     CHECK_FALSE(player->play(""));
     CHECK_FALSE(player->play("finish"));  // known, but not asked for at opening
-    CHECK_FALSE(player->play("click", -0.1, 1.0));
-    CHECK_FALSE(player->play("click", 1.1, 1.0));
-    CHECK_FALSE(player->play("click", std::nan(""), 1.0));
-    CHECK_FALSE(player->play("click", 1.0, 0.2));
-    CHECK_FALSE(player->play("click", 1.0, 4.1));
-    CHECK_FALSE(player->play("click", 1.0, std::nan("")));
+    for (const auto& [gain, pitch] : {std::pair(-0.1, 1.0),
+                                      {1.1, 1.0},
+                                      {std::nan(""), 1.0},
+                                      {1.0, 0.2},
+                                      {1.0, 4.1},
+                                      {1.0, std::nan("")}}) {
+        CAPTURE(gain, pitch);
+        CHECK_FALSE(player->play("click", gain, pitch));
+    }
     player->set_force_sound(std::nan(""));
     player->set_force_sound(-2.0);
-    CHECK(peak(run(*player, 20)) == 0.0F);
+    CHECK(loudest(run(*player, 20)) == 0.0F);
     CHECK(player->play("click"));
-    CHECK(peak(run(*player, 5)) > 0.0F);
+    CHECK(loudest(run(*player, 5)) > 0.0F);
 }
 
 TEST_CASE("openal: more force is louder, none is silence again") {
@@ -134,7 +97,7 @@ TEST_CASE("openal: more force is louder, none is silence again") {
     CHECK(levels[3] > 1.1 * levels[2]);
     player->set_force_sound(0.0);
     run(*player, 80);
-    CHECK(peak(run(*player, 20)) == 0.0F);
+    CHECK(loudest(run(*player, 20)) == 0.0F);
 }
 
 TEST_CASE("openal: the force sound comes and goes without a click") {
@@ -142,20 +105,13 @@ TEST_CASE("openal: the force sound comes and goes without a click") {
     player->set_force_sound(5.0);
     run(*player, 50);
     const auto steady = run(*player, 50);
-    const auto largest_step = [](const std::vector<float>& x) {
-        float largest = 0.0F;
-        for (std::size_t i = 2; i < x.size(); ++i) {
-            largest = std::max(largest, std::abs(x[i] - x[i - 2]));
-        }
-        return largest;
-    };
     player->set_force_sound(0.0);
     const auto going = run(*player, 60);
     player->set_force_sound(5.0);
     const auto coming = run(*player, 60);
     // A click would be a step of the sound's own height; the steady sound's slope is the measure.
-    CHECK(largest_step(going) <= 1.5F * largest_step(steady));
-    CHECK(largest_step(coming) <= 1.5F * largest_step(steady));
+    CHECK(largest_step(going, 2) <= 1.5F * largest_step(steady, 2));
+    CHECK(largest_step(coming, 2) <= 1.5F * largest_step(steady, 2));
 }
 
 TEST_CASE("openal: stop fades everything out within 20 ms, and a sound can follow at once") {
@@ -165,13 +121,13 @@ TEST_CASE("openal: stop fades everything out within 20 ms, and a sound can follo
     CHECK(rms(run(*player, 20)) > 0.01);
     player->stop();
     run(*player, 60);  // the force sound follows in 40 ms, ten times over
-    CHECK(peak(run(*player, 20)) == 0.0F);
+    CHECK(loudest(run(*player, 20)) == 0.0F);
 
     REQUIRE(player->play("finish"));
     run(*player, 10);
     player->stop();
     REQUIRE(player->play("click"));
-    CHECK(peak(run(*player, 3)) > 0.02F);
+    CHECK(loudest(run(*player, 3)) > 0.02F);
 }
 
 TEST_CASE("openal: stopping makes no click") {
@@ -181,17 +137,10 @@ TEST_CASE("openal: stopping makes no click") {
     const auto sounding = run(*player, 10);
     player->stop();
     const auto going = run(*player, 10);
-    const auto largest_step = [](const std::vector<float>& x) {
-        float largest = 0.0F;
-        for (std::size_t i = 2; i < x.size(); ++i) {
-            largest = std::max(largest, std::abs(x[i] - x[i - 2]));
-        }
-        return largest;
-    };
-    CHECK(largest_step(going) <= 1.2F * largest_step(sounding));
+    CHECK(largest_step(going, 2) <= 1.2F * largest_step(sounding, 2));
     // Half way down after 10 ms, silent after 40.
-    CHECK(rms({going.begin() + 480, going.begin() + 960}) < 0.6 * rms(sounding));
-    CHECK(peak({going.begin() + 4 * 960, going.end()}) == 0.0F);
+    CHECK(rms(Sound(going).subspan(480, 480)) < 0.6 * rms(sounding));
+    CHECK(loudest(Sound(going).subspan(4 * 960)) == 0.0F);
 }
 
 TEST_CASE("openal: a thirteenth sound takes the place of the oldest") {
@@ -200,8 +149,8 @@ TEST_CASE("openal: a thirteenth sound takes the place of the oldest") {
     for (std::size_t i = 1; i < kVoices; ++i) {
         REQUIRE(player->play("finish", 0.0, 1.0));
     }
-    CHECK(peak(run(*player, 60)) > 0.05F);
+    CHECK(loudest(run(*player, 60)) > 0.05F);
     REQUIRE(player->play("catch_egg"));
     run(*player, 30);  // the egg is over
-    CHECK(peak(run(*player, 20)) == 0.0F);
+    CHECK(loudest(run(*player, 20)) == 0.0F);
 }

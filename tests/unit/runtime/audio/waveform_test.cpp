@@ -1,13 +1,9 @@
 #include "runtime/audio/waveform.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include "tests/unit/runtime/audio/heard.h"
 
 using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -31,15 +27,6 @@ double frequency_Hz(const std::vector<float>& x, double from_s, double to_s) {
     const auto times = upward_crossings_s(x, from_s, to_s);
     REQUIRE(times.size() > 2);
     return static_cast<double>(times.size() - 1) / (times.back() - times.front());
-}
-
-double power(const std::vector<float>& x, double from_s, double to_s) {
-    double sum = 0.0;
-    for (auto i = static_cast<std::size_t>(from_s * kSampleRate_Hz);
-         i < static_cast<std::size_t>(to_s * kSampleRate_Hz); ++i) {
-        sum += static_cast<double>(x[i]) * static_cast<double>(x[i]);
-    }
-    return sum;
 }
 
 /// Power at one frequency, by a plain Fourier sum.
@@ -97,25 +84,20 @@ TEST_CASE("waveform: noise keeps to its band, dies away, and is the same for the
     };
     CHECK(band(1000.0) > 10.0 * band(250.0));
     CHECK(band(1000.0) > 10.0 * band(4000.0));
-    CHECK(power(x, 0.3, 0.45) < 0.05 * power(x, 0.0, 0.15));
+    CHECK(energy(piece(x, 0.3, 0.45)) < 0.05 * energy(piece(x, 0.0, 0.15)));
 }
 
 TEST_CASE("waveform: sounds that start later leave silence before them") {
     const auto x = Waveform(0.2).add(Mode{500.0, 0.05, 1.0}, 0.1).finish(0.5);
-    CHECK(power(x, 0.0, 0.1) == 0.0);
-    CHECK(power(x, 0.1, 0.2) > 0.0);
+    CHECK(energy(piece(x, 0.0, 0.1)) == 0.0);
+    CHECK(energy(piece(x, 0.1, 0.2)) > 0.0);
 }
 
 TEST_CASE("waveform: a finished sound has the peak asked for, never above 3 dB below full scale") {
     for (const double peak : {0.1, 0.5, 2.0}) {
         const auto x = Waveform(0.2).add_note(500.0, 0.1, 3.0, 0.0).finish(peak);
-        float highest = 0.0F;
-        for (const float sample : x) {
-            highest = std::max(highest, std::abs(sample));
-        }
-        CHECK(static_cast<double>(highest) == Approx(std::min(peak, kPeak)));
+        CHECK(static_cast<double>(loudest(x)) == Approx(std::min(peak, kPeak)));
         CHECK(x.back() == 0.0F);
     }
-    const auto silence = Waveform(0.1).finish(0.5);
-    CHECK(std::all_of(silence.begin(), silence.end(), [](float sample) { return sample == 0.0F; }));
+    CHECK(loudest(Waveform(0.1).finish(0.5)) == 0.0F);
 }

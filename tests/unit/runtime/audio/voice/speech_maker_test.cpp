@@ -50,6 +50,14 @@ std::optional<MadeSpeech> wait_for(SpeechMaker& maker) {
     return made;
 }
 
+/// Asks for it, and waits until it is made.
+MadeSpeech make(SpeechMaker& maker, const std::string& text) {
+    maker.ask(text);
+    const auto made = wait_for(maker);
+    REQUIRE(made);
+    return *made;
+}
+
 }  // namespace
 
 TEST_CASE("speech maker: texts are made in order, at the player's rate, and once each") {
@@ -65,8 +73,7 @@ TEST_CASE("speech maker: texts are made in order, at the player's rate, and once
         CHECK(made->text == text);
         CHECK(made->samples.size() == 12);  // 16 to 48 kHz
     }
-    maker.ask("one");
-    CHECK(wait_for(maker)->samples.size() == 12);
+    CHECK(make(maker, "one").samples.size() == 12);
     CHECK(fs::file_size(program.folder() / "calls") == 4);  // two lines
     CHECK(maker.n_waiting() == 0);
     CHECK(maker.take_trouble().empty());
@@ -78,10 +85,7 @@ TEST_CASE(
     REQUIRE(write_wav(program.folder() / "sound.wav", std::array<float, 1>{0.5F}, 1, 48'000));
     SpeechMaker maker(VoiceSettings{});
     for (const char* text : {"bad", "worse", "good"}) {
-        maker.ask(text);
-        const auto made = wait_for(maker);
-        REQUIRE(made);
-        CHECK(made->samples.empty() == (std::string_view(text) != "good"));
+        CHECK(make(maker, text).samples.empty() == (std::string_view(text) != "good"));
     }
     CHECK(maker.take_trouble().find("the program flite failed") == 0);
     CHECK(maker.take_trouble().empty());
@@ -112,15 +116,9 @@ TEST_CASE(
         "$d/sound.wav; kill -9 $$; fi");
     REQUIRE(write_wav(program.folder() / "sound.wav", std::array<float, 64>{0.5F}, 1, 48'000));
     SpeechMaker maker(VoiceSettings{});
-    maker.ask("one");
-    const auto cut = wait_for(maker);
-    REQUIRE(cut);
-    CHECK(cut->samples.empty());
+    CHECK(make(maker, "one").samples.empty());
     CHECK(maker.take_trouble().find("the program flite failed") == 0);
-    maker.ask("two");
-    const auto whole = wait_for(maker);
-    REQUIRE(whole);
-    CHECK(whole->samples.size() == 64);
+    CHECK(make(maker, "two").samples.size() == 64);
     CHECK(maker.take_trouble().empty());
 }
 
@@ -139,11 +137,9 @@ TEST_CASE(
         CHECK(maker.n_waiting() == 1);
     }
     maker.forget();
-    maker.ask("well");
-    const auto made = wait_for(maker);
-    REQUIRE(made);
-    CHECK(made->text == "well");
-    CHECK(made->samples.size() == 4);
+    const MadeSpeech made = make(maker, "well");
+    CHECK(made.text == "well");
+    CHECK(made.samples.size() == 4);
     // Long before the hanging one would have been given up.
     CHECK(monotonic_now_s() - begun_s < 9.0);
     CHECK(maker.take_trouble().empty());
@@ -156,20 +152,15 @@ TEST_CASE(
         const std::string before = std::getenv("PATH");
         setenv("PATH", empty.path().c_str(), 1);
         SpeechMaker maker(VoiceSettings{});
-        maker.ask("one");
-        const auto made = wait_for(maker);
+        const MadeSpeech made = make(maker, "one");
         setenv("PATH", before.c_str(), 1);
-        REQUIRE(made);
-        CHECK(made->samples.empty());
+        CHECK(made.samples.empty());
         const std::string trouble = maker.take_trouble();
         CHECK(trouble.find("the program flite") == 0);
         CHECK(trouble.find('\n') == std::string::npos);
     }
     OwnProgram program("echo this is no sound at all");
     SpeechMaker maker(VoiceSettings{});
-    maker.ask("one");
-    const auto made = wait_for(maker);
-    REQUIRE(made);
-    CHECK(made->samples.empty());
+    CHECK(make(maker, "one").samples.empty());
     CHECK(maker.take_trouble().find("it is no WAV file") == 0);
 }

@@ -1,25 +1,19 @@
 #include "runtime/audio/voice/spoken_voice.h"
 
 #include "haptics/base/clock.h"
-#include "runtime/audio/openal/openal_player.h"
-#include "runtime/audio/waveform.h"
+#include "tests/unit/runtime/audio/heard.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <thread>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
 constexpr double kPatience_s = 30.0;
-constexpr double kFrame_s = 0.01;
-constexpr std::size_t kFrame = 480;
 
 bool wait_for(const std::function<bool()>& done) {
     const double end_s = monotonic_now_s() + kPatience_s;
@@ -29,24 +23,15 @@ bool wait_for(const std::function<bool()>& done) {
     return done();
 }
 
-double rms(const std::vector<float>& x) {
-    double sum = 0.0;
-    for (const float sample : x) {
-        sum += static_cast<double>(sample) * static_cast<double>(sample);
-    }
-    return x.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(x.size()));
-}
-
 // A player whose sound is taken out by hand, and how long somebody speaks.
 struct Listener {
-    std::unique_ptr<LoopbackPlayer> player = std::move(*open_openal_loopback({}));
+    std::unique_ptr<LoopbackPlayer> player = open_loopback();
 
     double hear_s(SpokenVoice& voice, std::vector<float>* heard = nullptr) const {
         double spoken_s = 0.0;
         while (player->is_speaking() && spoken_s < kPatience_s) {
             voice.step(kFrame_s);
-            player->update(kFrame_s);
-            const auto part = player->render(kFrame);
+            const auto part = run(*player, 1);
             if (heard != nullptr) {
                 heard->insert(heard->end(), part.begin(), part.end());
             }
@@ -103,10 +88,7 @@ TEST_CASE("spoken voice: one text after the other; it falls silent within two fr
     REQUIRE(listener.begins(voice));
     (void)listener.player->render(4 * kFrame);
     voice.stop();
-    for (int i = 0; i < 4; ++i) {
-        listener.player->update(kFrame_s);
-        (void)listener.player->render(kFrame);
-    }
+    (void)run(*listener.player, 4);
     CHECK_FALSE(voice.speaking());
     CHECK(rms(listener.player->render(4 * kFrame)) < 1.0e-4);
 }
