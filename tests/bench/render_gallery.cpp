@@ -8,6 +8,7 @@
 #include "runtime/render/image.h"
 #include "runtime/render/renderer.h"
 #include "runtime/scene/gltf/gltf_model.h"
+#include "tests/bench/harness/must.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,9 +23,11 @@ namespace {
 using namespace fulcrum;
 using namespace fulcrum::runtime;
 
-ViewBody body(const std::string& model, const Vector3& position_W, double turn_rad = 0.0) {
+ViewBody body(const std::string& model, const Vector3& position_W, double turn_rad = 0.0,
+              const std::string& label = {}) {
     ViewBody result;
     result.model = model;
+    result.label = label;
     result.pose_W.position = position_W;
     result.pose_W.orientation =
         Quaternion(AngleAxis(turn_rad, Vector3(0.2, 1.0, 0.3).normalized()));
@@ -43,12 +46,9 @@ runtime::View falling() {
     view.bodies.push_back(body("tree", {0.95, 0.0, -1.3}));
     view.bodies.push_back(body("hill", {-1.5, -0.2, -5.5}));
     view.bodies.push_back(body("flower", {-0.6, 0.0, -0.3}));
-    view.bodies.push_back(body("watermelon", {-0.38, 0.62, 0.02}, 0.5));
-    view.bodies.back().label = "watermelon";
-    view.bodies.push_back(body("apple", {0.42, 0.36, -0.05}, 0.2));
-    view.bodies.back().label = "apple";
-    view.bodies.push_back(body("banana", {0.22, 0.75, -0.10}, 1.2));
-    view.bodies.back().label = "banana";
+    view.bodies.push_back(body("watermelon", {-0.38, 0.62, 0.02}, 0.5, "watermelon"));
+    view.bodies.push_back(body("apple", {0.42, 0.36, -0.05}, 0.2, "apple"));
+    view.bodies.push_back(body("banana", {0.22, 0.75, -0.10}, 1.2, "banana"));
     view.bodies.push_back(body("egg", {-0.06, 0.155, 0.0}, 0.2));
     view.bodies.push_back(body("egg", {0.62, 0.03, 0.15}, 0.2));
     view.bodies.back().scale = Vector3(1.2, 0.8, 1.2);
@@ -63,12 +63,9 @@ runtime::View falling() {
 runtime::View question() {
     runtime::View view = falling();
     view.bodies.resize(3);
-    view.bodies.push_back(body("watermelon", {-0.42, 0.09, 0.0}, 0.4));
-    view.bodies.back().label = "watermelon";
-    view.bodies.push_back(body("apple", {0.02, 0.045, 0.1}));
-    view.bodies.back().label = "apple";
-    view.bodies.push_back(body("banana", {0.42, 0.04, 0.0}, 0.3));
-    view.bodies.back().label = "banana";
+    view.bodies.push_back(body("watermelon", {-0.42, 0.09, 0.0}, 0.4, "watermelon"));
+    view.bodies.push_back(body("apple", {0.02, 0.045, 0.1}, 0.0, "apple"));
+    view.bodies.push_back(body("banana", {0.42, 0.04, 0.0}, 0.3, "banana"));
     view.tool_visible = false;
     view.ghost_visible = false;
     view.force.visible = false;
@@ -150,9 +147,9 @@ void load_models(Renderer& renderer, const std::filesystem::path& folder) {
         if (entry.path().extension() != ".glb") {
             continue;
         }
-        auto model = load_gltf(entry.path());
-        const Expected<void> added =
-            model ? renderer.add_model(*model) : tl::make_unexpected(model.error());
+        const Expected<void> added = load_gltf(entry.path()).and_then([&](const auto& model) {
+            return renderer.add_model(model);
+        });
         if (!added) {
             std::fprintf(stderr, "%s\n", to_sentence(added.error()).c_str());
         }
@@ -185,45 +182,32 @@ void measure(const std::string& name, const runtime::View& view, Renderer& rende
                 median_ms, times_ms[times_ms.size() * 9 / 10], 1e3 / median_ms, processor_ms);
 }
 
-int run(const std::filesystem::path& folder, const std::filesystem::path& models) {
-    auto screen = Offscreen::create(1280, 720);
-    if (!screen) {
-        std::fprintf(stderr, "%s\n", to_sentence(screen.error()).c_str());
-        return 1;
-    }
-    auto renderer = Renderer::create();
-    if (!renderer) {
-        std::fprintf(stderr, "%s\n", to_sentence(renderer.error()).c_str());
-        return 1;
-    }
-    for (const std::string& sentence : (*renderer)->notices()) {
+void run(const std::filesystem::path& folder, const std::filesystem::path& models) {
+    const auto screen = bench::must(Offscreen::create(1280, 720));
+    const auto renderer = bench::must(Renderer::create());
+    for (const std::string& sentence : renderer->notices()) {
         std::fprintf(stderr, "%s\n", sentence.c_str());
     }
-    load_models(**renderer, models);
+    load_models(*renderer, models);
     std::filesystem::create_directories(folder);
 
-    runtime::View bright = falling();
     const std::vector<std::pair<std::string, runtime::View>> views{
-        {"falling", bright},      {"question", question()}, {"recast", recast()},
+        {"falling", falling()},   {"question", question()}, {"recast", recast()},
         {"wrong", wrong()},       {"error", broken()},      {"notice", notice()},
         {"finished", finished()}, {"menu1", menu(1, 0)},    {"menu3", menu(3, 1)},
         {"menu7", menu(7, 4)},    {"menu9", menu(9, 7)},    {"empty", runtime::View{}}};
     std::printf("view,width,height,median_ms,p90_ms,frames_per_s,processor_ms\n");
     for (const auto& [name, view] : views) {
-        measure(name, view, **renderer, **screen);
-        if (auto saved = save_png(folder / (name + ".png"), (*screen)->read_back()); !saved) {
-            std::fprintf(stderr, "%s\n", to_sentence(saved.error()).c_str());
-            return 1;
-        }
+        measure(name, view, *renderer, *screen);
+        bench::must(save_png(folder / (name + ".png"), screen->read_back()));
     }
     for (const auto& [width, height] : {std::pair{1920, 1080}, {800, 600}, {480, 800}}) {
-        if ((*screen)->resize(width, height)) {
-            measure("wrong", wrong(), **renderer, **screen);
+        if (screen->resize(width, height)) {
+            measure("wrong", wrong(), *renderer, *screen);
             const std::string name = "wrong_" + std::to_string(width) + ".png";
-            (void)save_png(folder / name, (*screen)->read_back());
+            (void)save_png(folder / name, screen->read_back());
         }
     }
-    return 0;
 }
 
 }  // namespace
@@ -233,5 +217,11 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: bench_render_gallery FOLDER [MODELS]\n");
         return 2;
     }
-    return run(argv[1], argc > 2 ? argv[2] : FULCRUM_MODELS_DIR);
+    try {
+        run(argv[1], argc > 2 ? argv[2] : FULCRUM_MODELS_DIR);
+        return 0;
+    } catch (const std::runtime_error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
 }

@@ -114,6 +114,17 @@ std::optional<double> find_inside(const std::function<bool(double)>& holds, doub
 
 }  // namespace
 
+WallTrial make_tap(const HumanImpedance& human) {
+    WallTrial trial;
+    trial.arm = make_desktop_arm();
+    trial.arm.human = human;
+    trial.arm.dry_friction_N = 0.0;
+    trial.arm.max_force_N = 10.0;
+    trial.start_m = 0.01;
+    trial.press_m = 0.004;
+    return trial;
+}
+
 WallJudge::WallJudge(const WallTrial& trial)
     : WallJudge(std::max(kCalmSteps * trial.arm.position_resolution_m, kCalmAtLeast_m),
                 std::min(trial.arm.position_resolution_m * trial.stiffness_N_per_m + kCalmRipple_N,

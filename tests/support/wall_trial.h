@@ -44,6 +44,10 @@ struct WallTrial {
     double longest_s = 60.0;
 };
 
+/// A hand on the desktop arm comes from 10 mm above the wall and presses 4 mm into it. Without the arm's dry friction, which would hide
+/// depth and vibration alike; and so strong that the wall, not the motor, sets the boundary.
+[[nodiscard]] WallTrial make_tap(const HumanImpedance& human);
+
 enum class WallVerdict : unsigned char { undecided, stable, unstable };
 
 /// What one window saw.

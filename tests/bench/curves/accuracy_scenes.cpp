@@ -1,17 +1,12 @@
 #include "tests/bench/curves/accuracy_scenes.h"
 
 #include "haptics/geometry/shape.h"
-#include "haptics/tool/field_sampling.h"
 #include "tests/bench/curves/mesh_file.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/wander.h"
 
 #include <cctype>
-#include <cmath>
 #include <filesystem>
-#include <memory>
-#include <numbers>
-#include <stdexcept>
-#include <utility>
 
 namespace fulcrum::bench {
 namespace {
@@ -25,11 +20,7 @@ const Quaternion kAskew(AngleAxis(0.4, Vector3(1.0, 2.0, 3.0).normalized()));
 const Vector3 kMiddle_T(0.2, 0.1, -0.15);
 
 TriangleMesh make_askew(const TriangleMesh& mesh) {
-    std::vector<Vector3> vertices;
-    for (const Vector3& v : mesh.vertices_B()) {
-        vertices.push_back(kAskew * v);
-    }
-    return TriangleMesh::build(std::move(vertices), mesh.triangles()).value();
+    return make_changed(mesh, [](const Vector3& v) -> Vector3 { return kAskew * v; });
 }
 
 // A prism of so many sides that it is round to 5e-6 of its radius; its axis is z.
@@ -75,21 +66,12 @@ NamedMesh load_as_large(const std::string& file, const std::string& usual_name,
     if (file.empty()) {
         return {usual_name, usual};
     }
-    const auto loaded = load_mesh_file(file);
-    if (!loaded) {
-        throw std::runtime_error(to_sentence(loaded.error()));
-    }
     const auto longest_m = [](const TriangleMesh& mesh) {
         return (mesh.upper_B() - mesh.lower_B()).maxCoeff();
     };
-    const Vector3 middle = 0.5 * (loaded->lower_B() + loaded->upper_B());
-    const double scale = longest_m(usual) / longest_m(*loaded);
-    std::vector<Vector3> vertices;
-    for (const Vector3& v : loaded->vertices_B()) {
-        vertices.push_back(scale * (v - middle));
-    }
+    const TriangleMesh loaded = must(load_mesh_file(file));
     return {std::filesystem::path(file).stem().string(),
-            TriangleMesh::build(std::move(vertices), loaded->triangles()).value()};
+            make_scaled(loaded, longest_m(usual) / longest_m(loaded))};
 }
 
 Pointshell put_beside(const Pointshell& shell) {
@@ -192,9 +174,7 @@ AccuracyScene make_free_forms(int n_poses, const std::string& object_file,
     };
     // From each side towards the middle of the object, as deep behind the first touch as in the other scenes; where only a tip is in
     // by then, which no voxel resolves, deeper.
-    const auto field = std::make_shared<const DistanceField>(
-        DistanceField::build(scene.object, DistanceField::make_frame(scene.object, 256).value())
-            .value());
+    const FieldSampler::Field field = make_distance_field(scene.object, 256);
     const auto shell =
         std::make_shared<const ShellTree>(ShellTree::build(scene.make_shell(20000)).value());
     FieldSampler sampler = FieldSampler::build(field, shell).value();

@@ -11,9 +11,11 @@
 
 #include "haptics/geometry/triangle_mesh.h"
 #include "haptics/math/spatial.h"
+#include "haptics/tool/field_sampling.h"
 #include "haptics/voxel/pointshell.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,13 @@ struct AccuracyScene {
     /// On the tool at each pose, frame O, about the tool's origin, for kappa = 1 N/m^3. Empty: not known yet.
     std::vector<Wrench> wrenches_O;
 };
+
+/// So many voxels along its longest side.
+[[nodiscard]] inline FieldSampler::Field make_distance_field(const TriangleMesh& object,
+                                                             int n_along) {
+    return std::make_shared<const DistanceField>(
+        DistanceField::build(object, DistanceField::make_frame(object, n_along).value()).value());
+}
 
 [[nodiscard]] AccuracyScene make_sphere_plane(int n_poses);
 [[nodiscard]] AccuracyScene make_cylinder_box(int n_poses);

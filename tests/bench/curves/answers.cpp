@@ -2,14 +2,7 @@
 // list of all sentences that the templates make, which is what a graph is to beat.
 #include "dialogue/marking/mark.h"
 #include "dialogue/template/matcher.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -78,8 +71,7 @@ class Rows {
     template <class Work>
     Cost add(const std::string& what, double size, const std::string& of, const Work& work) {
         const Cost cost = measure_cost(work, timing_);
-        sheet_.rows.push_back(
-            {what, to_text(cost.median_us), to_text(cost.p99_us), to_text(size), of});
+        sheet_.add({what, cost.median_us, cost.p99_us, size, of});
         return cost;
     }
 
@@ -88,17 +80,9 @@ class Rows {
     Timing timing_;
 };
 
-Question must_compile(const QuestionSource& source) {
-    auto question = compile_question(source);
-    if (!question) {
-        throw std::runtime_error(question.error().message);
-    }
-    return std::move(*question);
-}
-
 void measure_question(Rows& rows, const std::string& name, const QuestionSource& source,
                       const std::vector<std::string>& answers) {
-    const Question question = must_compile(source);
+    const Question question = must(compile_question(source));
     const TemplateSet& set = *question.templates;
     rows.add(name + ": compile", static_cast<double>(count_arcs(set)),
              "arcs, for " + to_text(count_sentences(set.graphs[0])) + " sentences",
@@ -113,7 +97,7 @@ void measure_question(Rows& rows, const std::string& name, const QuestionSource&
 
 // All sentences of the fruit question, searched from front to back; it mends no spelling.
 void measure_list(Rows& rows) {
-    const Question question = must_compile(fruit_question());
+    const Question question = must(compile_question(fruit_question()));
     const TemplateSet& set = *question.templates;
     std::vector<std::string> list;
     list_sentences(set, set.graphs[0], 0, "", list);
@@ -125,16 +109,14 @@ void measure_list(Rows& rows) {
 }
 
 Report run_answers(Run& run) {
-    Sheet sheet;
-    sheet.name = "answers";
-    sheet.title = "Understanding an answer";
-    sheet.work =
+    Sheet sheet{
+        "answers",
+        "Understanding an answer",
         "Questions are compiled, right and wrong answers marked with spelling and grammar mended, "
-        "each timed on its own.";
-    sheet.advice =
+        "each timed on its own.",
         "Name as many things in a question as the lesson has: time follows the graph's arcs, not "
-        "the sentences they stand for.";
-    sheet.columns = {"what", "median us", "99 % us", "size", "of"};
+        "the sentences they stand for.",
+        {"what", "median us", "99 % us", "size", "of"}};
     Rows rows(sheet, {run.pick(1000, 50), 1, 20});
     measure_question(rows, "four fruits", fruit_question(),
                      {"a watermelon is the heaviest", "watermelon is most heavy",

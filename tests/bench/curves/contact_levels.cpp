@@ -3,15 +3,9 @@
 #include "haptics/geometry/shape.h"
 #include "tests/bench/curves/level_scenes.h"
 #include "tests/bench/curves/mesh_file.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -42,15 +36,12 @@ double compute_off_percent(const std::vector<Vector3>& forces, const std::vector
 
 CostPoint measure_course(const Course& course, double knob, PlayedScene played) {
     const double off = compute_off_percent(played.felt_N, course.exact.felt_N);
-    CostPoint point;
-    point.series = course.scene.name;
-    point.knob = knob;
-    point.error = off > 0.0 ? off : kNone;
-    point.cost = summarise(std::move(played.us));
-    point.cost.bytes = played.bytes;
-    point.extras = {1.0e3 / point.cost.median_us, played.n_contacts, played.n_pairs,
-                    100.0 * played.n_late};
-    return point;
+    Cost cost = summarise(std::move(played.us), played.bytes);
+    return {course.scene.name,
+            knob,
+            off > 0.0 ? off : kNone,
+            cost,
+            {1.0e3 / cost.median_us, played.n_contacts, played.n_pairs, 100.0 * played.n_late}};
 }
 
 CostCurve make_curve(const std::string& name, const std::string& title, const Axis& knob) {
@@ -89,16 +80,11 @@ std::vector<LevelScene> make_scenes(Run& run) {
     return scenes;
 }
 
-std::vector<std::string> list_levels(const Course& course) {
+void list_levels(const Course& course, Sheet& sheet) {
     const ContactLevels& levels = *course.levels.tool;
-    const auto round2 = [](double value) { return std::round(100.0 * value) / 100.0; };
-    return {course.scene.name,
-            to_text(static_cast<double>(course.scene.tool.triangles().size())),
-            to_text(levels.n_pieces()),
-            to_text(static_cast<double>(levels.nodes().size())),
-            to_text(levels.n_levels()),
-            to_text(round2(course.levels.seconds)),
-            to_text(round2(1.0e-6 * static_cast<double>(levels.memory_bytes())))};
+    sheet.add({course.scene.name, course.scene.tool.triangles().size(), levels.n_pieces(),
+               levels.nodes().size(), levels.n_levels(), rounded(course.levels.seconds, 2),
+               rounded(1.0e-6 * static_cast<double>(levels.memory_bytes()), 2)});
 }
 
 // Two lumps 10 mm deep in each other: the budget must hold there, too.
@@ -111,22 +97,19 @@ Sheet make_deep_sheet(Run& run) {
         "against that without either",
         "A budget, where it may be deep: what it leaves out is told.",
         {"asked for", "triangles", "median us", "p99 us", "max us", "force off %", "left",
-         "coarser", "left deepest mm"},
-        {}};
+         "coarser", "left deepest mm"}};
     const TriangleMesh mesh = make_bumpy_sphere(0.1, run.pick(44, 12), 0.02, 60.0).value();
     const auto lump = ContactLevels::create(mesh, {.within_m = 1.0e-3}).value();
     const int n_steps = run.pick(2000, 120);
     const DeepPlay exact = play_deep(lump, n_steps, {});
-    const auto round1 = [](double value) { return std::round(10.0 * value) / 10.0; };
     const auto add = [&](const std::string& name, DeepPlay played) {
         const double off = compute_off_percent(played.force_N, exact.force_N);
         const double most_us = std::ranges::max(played.us);
         const Cost cost = summarise(std::move(played.us));
-        sheet.rows.push_back({name, to_text(static_cast<double>(mesh.triangles().size())),
-                              to_text(round1(cost.median_us)), to_text(round1(cost.p99_us)),
-                              to_text(round1(most_us)), to_text(round1(off)),
-                              to_text(round1(played.n_left)), to_text(round1(played.n_coarser)),
-                              to_text(round1(1.0e3 * played.most_left_m))});
+        sheet.add({name, mesh.triangles().size(), rounded(cost.median_us, 1),
+                   rounded(cost.p99_us, 1), rounded(most_us, 1), rounded(off, 1),
+                   rounded(played.n_left, 1), rounded(played.n_coarser, 1),
+                   rounded(1.0e3 * played.most_left_m, 1)});
     };
     add("nothing", exact);
     add("2.5 %", play_deep(lump, n_steps, {.tolerance_m = 0.025 * lump->size_m()}));
@@ -154,15 +137,14 @@ Report run_contact_levels(Run& run) {
         "What making contact levels takes",
         "one processor, once for a mesh; the tool of each scene",
         "Make them at load, once for each mesh, where a bar can be shown: they take seconds.",
-        {"scene", "triangles", "pieces", "nodes", "levels", "s", "MB"},
-        {}};
+        {"scene", "triangles", "pieces", "nodes", "levels", "s", "MB"}};
     std::vector<LevelScene> scenes = make_scenes(run);
     const auto n_scenes = static_cast<double>(scenes.size());
     double done = 0.0;
     for (LevelScene& scene : scenes) {
         run.progress(done / n_scenes, scene.name);
         const Course course = make_course(std::move(scene));
-        made.rows.push_back(list_levels(course));
+        list_levels(course, made);
         const double radius_m = course.levels.tool->size_m();
         for (const double percent : run.pick<std::vector<double>>(
                  {0.01, 0.03, 0.1, 0.3, 1.0, 2.5, 5.0, 10.0}, {0.1, 2.5})) {

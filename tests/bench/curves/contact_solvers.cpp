@@ -1,15 +1,7 @@
 // What a step of a stack costs the solvers of contacts, and how near they come: cubes on each other as bare contact problems, without
 // collision detection, at rest and dropped.
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/contact_stack.h"
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -22,17 +14,14 @@ struct Stand {
 
 Stand measure_stack(const ContactStackSettings& stack, const ContactSolverSettings& solver,
                     int n_steps) {
-    using Clock = std::chrono::steady_clock;
     ContactStack cubes(stack, solver);
     Stand stand;
     std::vector<double> us;
     for (int k = 0; k < n_steps; ++k) {
         cubes.prepare();
-        const auto before = Clock::now();
-        const SolveReport report = cubes.solve();
-        const std::chrono::duration<double, std::micro> took = Clock::now() - before;
+        SolveReport report;
+        us.push_back(time_once([&] { report = cubes.solve(); }).clock_us);
         cubes.finish();
-        us.push_back(took.count());
         stand.residual_m_per_s = std::max(stand.residual_m_per_s, report.residual_m_per_s);
     }
     stand.cost = summarise(std::move(us));
@@ -78,19 +67,11 @@ CostCurve measure_accuracy(Run& run) {
                          std::string(to_string(method)));
             const Stand stand = measure_stack({.n_cubes = 10, .start_gap_m = 0.005},
                                               settings_of(method, knob), n_steps);
-            curve.points.push_back({std::string(to_string(method)),
-                                    knob,
-                                    stand.residual_m_per_s,
-                                    stand.cost,
-                                    {stand.drift_mm}});
+            curve.add(std::string(to_string(method)), knob, stand.residual_m_per_s, stand.cost,
+                      {stand.drift_mm});
         }
     }
     return curve;
-}
-
-// p of time ~ cubes^p between the first and the last.
-double find_growth(const Line& line) {
-    return std::log(line.y.back() / line.y.front()) / std::log(line.x.back() / line.x.front());
 }
 
 LineChart measure_growth(Run& run) {
@@ -102,29 +83,24 @@ LineChart measure_growth(Run& run) {
         "the solver timed; the heavy one has 100 kg on top.";
     chart.x = {"cubes", "", true};
     chart.y = {"time a step", "µs", true};
-    const auto numbers = run.pick<std::vector<int>>({1, 2, 4, 6, 10, 20}, {1, 4, 10});
+    const auto numbers = run.pick<std::vector<double>>({1, 2, 4, 6, 10, 20}, {1, 4, 10});
     std::string grows;
     for (const ContactMethod method : kContactMethods) {
         for (const double top_kg : {1.0, 100.0}) {
             if (top_kg > 1.0 && method != ContactMethod::newton) {
                 continue;
             }
-            Line line{std::string(to_string(method)) + (top_kg > 1.0 ? ", 100:1 on top" : ""),
-                      LineStyle::measured,
-                      {},
-                      {}};
-            for (const int n : numbers) {
-                const int n_steps = run.pick(2000, 200);
-                const ContactSolverSettings settings =
-                    settings_of(method, method == ContactMethod::iterative ? 60.0 : 1.0e-8);
-                line.x.push_back(n);
-                line.y.push_back(
-                    measure_stack({.n_cubes = n, .top_mass_kg = top_kg}, settings, n_steps)
-                        .cost.median_us);
-            }
-            grows += (grows.empty() ? "" : ", ") + line.name + " " +
-                     to_text(std::round(100.0 * find_growth(line)) / 100.0);
-            chart.lines.push_back(std::move(line));
+            const std::string name =
+                std::string(to_string(method)) + (top_kg > 1.0 ? ", 100:1 on top" : "");
+            const ContactSolverSettings settings =
+                settings_of(method, method == ContactMethod::iterative ? 60.0 : 1.0e-8);
+            chart.trace(name, LineStyle::measured, numbers, [&](double n) {
+                return measure_stack({.n_cubes = static_cast<int>(n), .top_mass_kg = top_kg},
+                                     settings, run.pick(2000, 200))
+                    .cost.median_us;
+            });
+            grows += (grows.empty() ? "" : ", ") + name + " " +
+                     to_text(rounded(find_power(chart.lines.back()), 2));
         }
     }
     chart.advice = "Time grows as the number of cubes to the power of: " + grows + ".";

@@ -3,13 +3,8 @@
 #pragma once
 
 #include "haptics/geometry/triangle_mesh.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/way_judge.h"
-
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 

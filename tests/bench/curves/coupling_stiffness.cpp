@@ -1,35 +1,23 @@
 // The stiffness of the virtual coupling: how far what is felt falls short of a rigid wall, and how far from shaking it is.
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/wall_trial.h"
-
-#include <utility>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
 
 using namespace z_width;
 
-constexpr double kPress_m = 0.004;
-
 std::vector<double> choose_stiffnesses(const Run& run) {
-    return run.quick()
-               ? std::vector<double>{100.0, 500.0, 2000.0, 8000.0}
-               : std::vector<double>{50.0,   100.0,  200.0,  300.0,  500.0,  700.0, 1000.0, 1400.0,
-                                     2000.0, 3000.0, 4000.0, 5000.0, 7000.0, 1.0e4, 1.4e4,  2.0e4};
+    return run.pick<std::vector<double>>(
+        {50.0, 100.0, 200.0, 300.0, 500.0, 700.0, 1000.0, 1400.0, 2000.0, 3000.0, 4000.0, 5000.0,
+         7000.0, 1.0e4, 1.4e4, 2.0e4},
+        {100.0, 500.0, 2000.0, 8000.0});
 }
 
 WallTrial make_trial(const HumanImpedance& human, double stiffness) {
-    WallTrial trial;
-    trial.arm = make_desktop_arm();
-    trial.arm.human = human;
-    trial.arm.dry_friction_N = 0.0;  // it would hide depth and vibration alike
-    trial.arm.max_force_N = 10.0;
-    trial.start_m = 0.01;
+    WallTrial trial = make_tap(human);
     trial.stiffness_N_per_m = stiffness;
     trial.damping_Ns_per_m = CouplingSettings{}.damping_Ns_per_m;
-    trial.press_m = kPress_m;
     return trial;
 }
 
@@ -52,10 +40,8 @@ LineChart run_error(const Run& run) {
     chart.title = "Stiffness of the coupling: what is missing from a rigid wall";
     chart.work =
         "A hand presses 4 mm into a rigid wall through the coupling, on a simulated desktop arm at "
-        "1 "
-        "kHz, with the program's damping; the error is the depth that is left, in per cent of the "
-        "way "
-        "pressed. A gap: the hand shook.";
+        "1 kHz, with the program's damping; the error is the depth that is left, in per cent of "
+        "the way pressed. A gap: the hand shook.";
     chart.reference = "k_h / (k_h + K): hand and coupling as two springs";
     chart.advice =
         "Double the stiffness only while the other chart allows it: past ten times the hand's own "
@@ -63,15 +49,14 @@ LineChart run_error(const Run& run) {
     chart.x = {"stiffness of the coupling", "N/m", true};
     chart.y = {"depth left, of the way pressed", "%", true};
     for (const auto& [name, human] : hands()) {
-        Line measured{name, LineStyle::measured, choose_stiffnesses(run), {}};
-        Line theory{"two springs, " + name, LineStyle::theory, measured.x, {}};
-        for (const double stiffness : measured.x) {
-            measured.y.push_back(measure_error_percent(make_trial(human, stiffness)));
-            theory.y.push_back(100.0 * human.stiffness_N_per_m /
-                               (human.stiffness_N_per_m + stiffness));
-        }
-        chart.lines.push_back(measured);
-        chart.lines.push_back(theory);
+        const std::vector<double> stiffnesses = choose_stiffnesses(run);
+        chart.trace(name, LineStyle::measured, stiffnesses, [&hand = human](double stiffness) {
+            return measure_error_percent(make_trial(hand, stiffness));
+        });
+        chart.trace("two springs, " + name, LineStyle::theory, stiffnesses,
+                    [k = human.stiffness_N_per_m](double stiffness) {
+                        return 100.0 * k / (k + stiffness);
+                    });
     }
     const double standard = CouplingSettings{}.stiffness_N_per_m;
     chart.lines.push_back({"default, fingertip",
@@ -87,8 +72,7 @@ LineChart run_margin(const Run& run) {
     chart.title = "Stiffness of the coupling: how far from shaking";
     chart.work =
         "For the same hands the largest stable stiffness, divided by the coupling's: below 1 the "
-        "hand "
-        "shakes. At 1 and 4 kHz, with the program's damping.";
+        "hand shakes. At 1 and 4 kHz, with the program's damping.";
     chart.reference =
         "dashed: 2 b / T, what a wall without damping may have to be passive whoever holds the "
         "arm, with the arm's own viscous friction b of 0.5 Ns/m; the program's damping is more "
@@ -98,11 +82,8 @@ LineChart run_margin(const Run& run) {
     chart.x = {"stiffness of the coupling", "N/m", true};
     chart.y = {"largest stable stiffness over the coupling's", "", true};
     const auto add = [&](const std::string& name, LineStyle style, double largest) {
-        Line line{name, style, choose_stiffnesses(run), {}};
-        for (const double stiffness : line.x) {
-            line.y.push_back(largest / stiffness);
-        }
-        chart.lines.push_back(line);
+        chart.trace(name, style, choose_stiffnesses(run),
+                    [&](double stiffness) { return largest / stiffness; });
     };
     double standard_largest = kNone;
     for (const double rate_Hz : {1000.0, 4000.0}) {

@@ -8,21 +8,14 @@
 #include "runtime/lua/process/lesson_process.h"
 #include "tests/bench/curves/english_errors.h"
 #include "tests/bench/curves/english_scores.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 namespace fulcrum::bench {
 namespace {
@@ -31,10 +24,6 @@ using namespace fulcrum::dialogue;
 namespace fs = std::filesystem;
 
 constexpr unsigned kSeed = 20'261;
-
-[[noreturn]] void stop(const std::string& why) {
-    throw std::runtime_error(why);
-}
 
 /// Kilobytes of memory that this process holds.
 double resident_kB() {
@@ -55,31 +44,13 @@ ShippedLesson shipped(const fs::path& folder) {
     runtime::LessonFiles files;
     files.folder = folder;
     files.library = fs::path(FULCRUM_SOURCE_DIR) / "scripts/lib";
-    const auto process = runtime::LessonProcess::start(files);
-    if (!process) {
-        stop(process.error().message);
-    }
-    auto questions = runtime::compile_questions((*process)->description());
-    if (!questions) {
-        stop(questions.error().message);
-    }
-    return {std::move(*questions), runtime::things_of((*process)->description())};
+    const runtime::LessonDescription description =
+        must(runtime::LessonProcess::start(files))->description();
+    return {must(runtime::compile_questions(description)), runtime::things_of(description)};
 }
 
 EnglishChecker make_checker(std::unique_ptr<SentenceJudge> judge) {
-    auto lexicon = Lexicon::open();
-    if (!lexicon) {
-        stop(lexicon.error().message);
-    }
-    return {std::move(*lexicon), std::move(judge)};
-}
-
-std::unique_ptr<SentenceJudge> judge_or_stop() {
-    auto judge = make_link_judge();
-    if (!judge) {
-        stop(judge.error().message);
-    }
-    return std::move(*judge);
+    return {must(Lexicon::open()), std::move(judge)};
 }
 
 std::string percent(int part, int whole) {
@@ -100,24 +71,26 @@ void show(const char* what, const std::string& code, const CheckedText& checked)
     }
 }
 
+void add_row(const std::string& code, const EnglishScore& score, Sheet& sheet) {
+    sheet.add({code, score.there, percent(score.found, score.there),
+               percent(score.named, score.there), score.alarms,
+               percent(score.right_place, score.alarms)});
+}
+
 void add_rows(const EnglishScores& scores, Sheet& sheet) {
     EnglishScore all;
     for (const auto& [code, score] : scores) {
         if (score.alarms == 0 && score.named == 0 && !sheet.name.starts_with("english-l")) {
             continue;
         }
-        sheet.rows.push_back({code, std::to_string(score.there), percent(score.found, score.there),
-                              percent(score.named, score.there), std::to_string(score.alarms),
-                              percent(score.right_place, score.alarms)});
+        add_row(code, score, sheet);
         all.there += score.there;
         all.found += score.found;
         all.named += score.named;
         all.alarms += score.alarms;
         all.right_place += score.right_place;
     }
-    sheet.rows.push_back({"all of these", std::to_string(all.there), percent(all.found, all.there),
-                          percent(all.named, all.there), std::to_string(all.alarms),
-                          percent(all.right_place, all.alarms)});
+    add_row("all of these", all, sheet);
 }
 
 /// Counts what was found in a sentence with one error.
@@ -143,7 +116,7 @@ void add_sentence(const char* missed, const ErroneousSentence& wrong, const Chec
     }
 }
 
-Sheet lesson_sheet(const char* name, const char* title) {
+Sheet lesson_sheet(const std::string& name, const std::string& title) {
     Sheet sheet;
     sheet.name = name;
     sheet.title = title;
@@ -221,8 +194,8 @@ std::array<Sheet, 3> check_lessons(EnglishChecker& checker, Run& run) {
     Sheet labelled = lesson_sheet("english-labelled", "Free English: what templates label");
     labelled.work =
         "The same with one error that a template labels, which no reading of the checker chose. "
-        "Some of these are good English for "
-        "something else (\"It was easy\"), which only the question tells.";
+        "Some of these are good English for something else (\"It was easy\"), which only the "
+        "question tells.";
     add_rows(own.labelled, labelled);
     const std::string spoilt =
         "each way sampled, and every such sentence with one error put in, where the checker's own "
@@ -240,23 +213,18 @@ std::array<Sheet, 3> check_lessons(EnglishChecker& checker, Run& run) {
 
 /// Learners' text from a file.
 Sheet check_text(EnglishChecker& checker, const std::string& file, bool second_half) {
-    const auto lines = read_learner_lines(file);
-    if (!lines) {
-        stop(lines.error().message + ": " + lines.error().where);
-    }
-    Sheet sheet;
-    sheet.name = std::string("english-text-") + (second_half ? "odd" : "even");
-    sheet.title = std::string("Free English: learners' text, ") + (second_half ? "odd" : "even") +
-                  " lines of " + fs::path(file).filename().string();
-    sheet.columns = {"error",      "n",      "found %",
-                     "named so %", "alarms", "alarms in the right place %"};
+    const std::vector<LearnerLine> lines = must(read_learner_lines(file));
+    const std::string half = second_half ? "odd" : "even";
+    Sheet sheet =
+        lesson_sheet("english-text-" + half, "Free English: learners' text, " + half +
+                                                 " lines of " + fs::path(file).filename().string());
     EnglishScores scores;
     int right = 0;
     int sentences = 0;
     int false_alarms = 0;
     auto lexicon = Lexicon::open();
-    for (std::size_t i = second_half ? 1 : 0; i < lines->size(); i += 2) {
-        const LearnerLine& line = (*lines)[i];
+    for (std::size_t i = second_half ? 1 : 0; i < lines.size(); i += 2) {
+        const LearnerLine& line = lines[i];
         const std::string& good = line.right ? line.said : line.corrected;
         if (!good.empty()) {
             const CheckedText checked = checker.check(good);
@@ -296,26 +264,22 @@ Sheet check_text(EnglishChecker& checker, const std::string& file, bool second_h
 
 /// What it costs to have a checker and to ask it.
 Sheet measure_checker(Run& run) {
-    Sheet sheet;
-    sheet.name = "english-cost";
-    sheet.title = "Free English: what checking costs";
-    sheet.work =
-        "The word lists and the grammar are opened, then sentences are checked, each "
-        "timed on its own; without the grammar the words alone decide.";
-    sheet.advice = "A lesson that calls for no free English opens neither.";
-    sheet.columns = {"what", "median us", "99 % us", "kB"};
+    Sheet sheet{"english-cost",
+                "Free English: what checking costs",
+                "The word lists and the grammar are opened, then sentences are checked, each timed "
+                "on its own; without the grammar the words alone decide.",
+                "A lesson that calls for no free English opens neither.",
+                {"what", "median us", "99 % us", "kB"}};
     const double before_kB = resident_kB();
     std::optional<EnglishChecker> plain;
     const Took words =
         time_once([&] { plain.emplace(make_checker(std::make_unique<NullJudge>())); });
     const double with_words_kB = resident_kB();
     std::unique_ptr<SentenceJudge> judge;
-    const Took grammar = time_once([&] { judge = judge_or_stop(); });
+    const Took grammar = time_once([&] { judge = must(make_link_judge()); });
     const double with_grammar_kB = resident_kB();
-    sheet.rows.push_back(
-        {"open the word lists", to_text(words.clock_us), "", to_text(with_words_kB - before_kB)});
-    sheet.rows.push_back({"open the grammar", to_text(grammar.clock_us), "",
-                          to_text(with_grammar_kB - with_words_kB)});
+    sheet.add({"open the word lists", words.clock_us, "", with_words_kB - before_kB});
+    sheet.add({"open the grammar", grammar.clock_us, "", with_grammar_kB - with_words_kB});
     EnglishChecker whole = make_checker(std::move(judge));
     const Timing timing{run.pick(2000, 100), 1, 20};
     for (const char* text :
@@ -323,8 +287,8 @@ Sheet measure_checker(Run& run) {
           "I felt apple and it was more heavier then the egg, because it is big."}) {
         for (EnglishChecker* checker : {&*plain, &whole}) {
             const Cost cost = measure_cost([&] { keep(checker->check(text)); }, timing);
-            sheet.rows.push_back({std::string(checker == &whole ? "" : "words alone: ") + text,
-                                  to_text(cost.median_us), to_text(cost.p99_us), ""});
+            sheet.add({std::string(checker == &whole ? "" : "words alone: ") + text, cost.median_us,
+                       cost.p99_us, ""});
         }
     }
     return sheet;
@@ -333,7 +297,7 @@ Sheet measure_checker(Run& run) {
 Report run_english(Run& run) {
     Report report;
     report.emplace_back(measure_checker(run));
-    EnglishChecker checker = make_checker(judge_or_stop());
+    EnglishChecker checker = make_checker(must(make_link_judge()));
     run.progress(0.2);
     for (Sheet& sheet : check_lessons(checker, run)) {
         report.emplace_back(std::move(sheet));

@@ -178,8 +178,8 @@ fulcrum::Expected<std::vector<LearnerLine>> read_learner_lines(const std::string
                             column("source") < names.size();
     if (!with_types && !with_rules) {
         return fulcrum::fail(
-            "the table has neither the columns src, corrected and types nor rule, assert "
-            "and source",
+            "the table has neither the columns src, corrected and types nor rule, assert and "
+            "source",
             file, "name them in its first line");
     }
     std::vector<LearnerLine> lines;

@@ -1,11 +1,30 @@
 #include "tests/bench/curves/felt_surface.h"
 
 #include "runtime/scene/shape_models.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/wander.h"
 
-#include <algorithm>
-
 namespace fulcrum::bench {
+namespace {
+
+// Root mean square and largest of what was added.
+class Spread {
+  public:
+    void add(double error) {
+        sum_ += error * error;
+        worst_ = std::max(worst_, std::abs(error));
+        ++count_;
+    }
+    [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(sum_ / count_) : kNone; }
+    [[nodiscard]] double worst() const { return count_ > 0 ? worst_ : kNone; }
+
+  private:
+    double sum_ = 0.0;
+    double worst_ = 0.0;
+    int count_ = 0;
+};
+
+}  // namespace
 
 std::vector<int> ball_frequencies(bool quick) {
     return quick ? std::vector<int>{2, 7, runtime::kSphereModelFrequency, 71}
@@ -22,30 +41,6 @@ Course wander_on_ball(int n_steps) {
     return course;
 }
 
-void Spread::add(double error) {
-    sum_ += error * error;
-    worst_ = std::max(worst_, std::abs(error));
-    ++count_;
-}
-
-SurfaceErrors find_errors(const Course& course, const std::function<Felt(const Vector3&)>& feel) {
-    SurfaceErrors errors;
-    int n_untouched = 0;
-    for (const Pressed& pressed : course) {
-        const Felt felt = feel(pressed.hand_W);
-        errors.force_N.add(felt.force_N.norm() - kForce_N);
-        errors.vector_N.add((felt.force_N - kForce_N * pressed.normal_W).norm());
-        if (felt.touches) {
-            const double angle = std::atan2(felt.normal_W.cross(pressed.normal_W).norm(),
-                                            felt.normal_W.dot(pressed.normal_W));
-            errors.direction_deg.add(angle * 180.0 / std::numbers::pi);
-        }
-        n_untouched += felt.touches ? 0 : 1;
-    }
-    errors.untouched_percent = 100.0 * n_untouched / static_cast<double>(course.size());
-    return errors;
-}
-
 std::vector<Axis> surface_columns() {
     return {{"largest force error", "N", true},
             {"error of the force vector", "N", true},
@@ -56,14 +51,37 @@ std::vector<Axis> surface_columns() {
             {"order of the direction error, in theory 1", "", false}};
 }
 
-CostPoint make_point(const std::string& series, double n_triangles, const SurfaceErrors& errors,
-                     const Cost& cost) {
+CostPoint measure_felt(const std::string& series, double n_triangles, const Course& course,
+                       std::size_t bytes, const std::function<Felt(const Vector3&)>& feel,
+                       const std::function<void()>& restart) {
+    Spread force_N;        // of its magnitude
+    Spread vector_N;       // of the whole vector
+    Spread direction_deg;  // where there is a touch
+    int n_untouched = 0;
+    for (const Pressed& pressed : course) {
+        const Felt felt = feel(pressed.hand_W);
+        force_N.add(felt.force_N.norm() - kForce_N);
+        vector_N.add((felt.force_N - kForce_N * pressed.normal_W).norm());
+        if (felt.touches) {
+            const double angle = std::atan2(felt.normal_W.cross(pressed.normal_W).norm(),
+                                            felt.normal_W.dot(pressed.normal_W));
+            direction_deg.add(angle * 180.0 / std::numbers::pi);
+        }
+        n_untouched += felt.touches ? 0 : 1;
+    }
+    restart();
+    constexpr int kWarmUp = 300;
+    std::size_t next = 0;
+    const Cost cost = measure_cost(
+        [&] { keep(feel(course[next++].hand_W)); },
+        {.samples = static_cast<int>(course.size()) - kWarmUp, .batch = 1, .warm_up = kWarmUp},
+        bytes);
     return {series,
             n_triangles,
-            errors.force_N.rms(),
+            force_N.rms(),
             cost,
-            {errors.force_N.worst(), errors.vector_N.rms(), errors.direction_deg.rms(),
-             errors.direction_deg.worst(), errors.untouched_percent, kNone, kNone}};
+            {force_N.worst(), vector_N.rms(), direction_deg.rms(), direction_deg.worst(),
+             100.0 * n_untouched / static_cast<double>(course.size()), kNone, kNone}};
 }
 
 }  // namespace fulcrum::bench

@@ -5,9 +5,7 @@
 #include "haptics/math/spatial.h"
 #include "tests/bench/harness/report.h"
 
-#include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -38,33 +36,12 @@ struct Felt {
     bool touches;
 };
 
-/// Root mean square and largest of what was added.
-class Spread {
-  public:
-    void add(double error);
-    [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(sum_ / count_) : kNone; }
-    [[nodiscard]] double worst() const { return count_ > 0 ? worst_ : kNone; }
-
-  private:
-    double sum_ = 0.0;
-    double worst_ = 0.0;
-    int count_ = 0;
-};
-
-struct SurfaceErrors {
-    Spread force_N;        ///< of its magnitude
-    Spread vector_N;       ///< of the whole vector
-    Spread direction_deg;  ///< where there is a touch
-    double untouched_percent = 0.0;
-};
-
-/// Plays the course through `feel`.
-[[nodiscard]] SurfaceErrors find_errors(const Course& course,
-                                        const std::function<Felt(const Vector3&)>& feel);
+/// Plays the course for its errors, begins it anew with `restart`, and plays it for its time, warmed up.
+[[nodiscard]] CostPoint measure_felt(
+    const std::string& series, double n_triangles, const Course& course, std::size_t bytes,
+    const std::function<Felt(const Vector3&)>& feel, const std::function<void()>& restart = [] {});
 
 /// The columns of errors beyond the curve's own, and two for orders of convergence, which are left empty here.
 [[nodiscard]] std::vector<Axis> surface_columns();
-[[nodiscard]] CostPoint make_point(const std::string& series, double n_triangles,
-                                   const SurfaceErrors& errors, const Cost& cost);
 
 }  // namespace fulcrum::bench

@@ -4,11 +4,7 @@
 #include "haptics/tool/voxel_sampling.h"
 #include "haptics/voxel/voxelise.h"
 #include "tests/bench/curves/accuracy_scenes.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <cmath>
-#include <memory>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -19,10 +15,7 @@ constexpr const char* kSingle = "distance field, single precision";
 constexpr const char* kDouble = "distance field, double precision, one by one";
 
 FieldSampler::Field make_field(const AccuracyScene& scene, double n_along) {
-    const int n = static_cast<int>(n_along);
-    return std::make_shared<const DistanceField>(
-        DistanceField::build(scene.object, DistanceField::make_frame(scene.object, n).value())
-            .value());
+    return make_distance_field(scene.object, static_cast<int>(n_along));
 }
 
 FieldSampler::Shell make_shell(const Pointshell& points) {
@@ -100,29 +93,34 @@ void judge_both(double knob, const AccuracyScene& scene, const FieldSampler::Fie
     curve.points.push_back(judge_double(knob, scene, *field, points, shell->reach_m()));
 }
 
-CostCurve make_curve(const AccuracyScene& scene, const std::string& knob, const std::string& what) {
+// `how` goes on with what all poses are.
+CostCurve make_curve(const AccuracyScene& scene, const std::string& knob, const std::string& what,
+                     const std::string& how, const std::string& advice, const Axis& axis,
+                     const std::string& default_series, double default_knob) {
     CostCurve curve;
     curve.name = "field-accuracy-" + scene.name + "-" + knob;
     curve.title = scene.title + ": " + what;
+    curve.work =
+        "A tool, pressed in by a hundredth of the object's size, or more where less than one in "
+        "200 of its points is in, turned and shifted by chance; the sum of its points' forces and "
+        "torques" +
+        how;
     curve.reference = scene.reference;
+    curve.advice = advice;
+    curve.knob = axis;
     curve.error = {"error of the force, root mean square", "%", true};
     curve.extras = {{"error of the torque over force and reach", "%", true}};
-    curve.default_series = kSingle;
+    curve.default_series = default_series;
+    curve.default_knob = default_knob;
     curve.time_is_per = "pose";
     return curve;
 }
 
-const std::string kPoses =
-    "A tool, pressed in by a hundredth of the object's size, or more where less than one in 200 of "
-    "its points is in, turned and shifted by chance; the sum of its points' forces and torques";
-
 CostCurve vary_voxels(const Run& run, const AccuracyScene& scene) {
-    CostCurve curve = make_curve(scene, "voxels", "how fine a field");
-    curve.work = kPoses + "; 20 000 points, 5000 in a quick run.";
-    curve.advice =
-        "128 voxels along the object are as exact as 20 000 points; halve both together.";
-    curve.knob = {"voxels along the object", "", true};
-    curve.default_knob = kUsualCells;
+    CostCurve curve = make_curve(
+        scene, "voxels", "how fine a field", "; 20 000 points, 5000 in a quick run.",
+        "128 voxels along the object are as exact as 20 000 points; halve both together.",
+        {"voxels along the object", "", true}, kSingle, kUsualCells);
     const Pointshell points = scene.make_shell(run.pick(static_cast<int>(kUsualPoints), 5000));
     const FieldSampler::Shell shell = make_shell(points);
     for (const double n :
@@ -134,11 +132,11 @@ CostCurve vary_voxels(const Run& run, const AccuracyScene& scene) {
 
 CostCurve vary_points(const Run& run, const AccuracyScene& scene,
                       const FieldSampler::Field& field) {
-    CostCurve curve = make_curve(scene, "points", "how many points");
-    curve.work = kPoses + "; a field of 256 voxels along the object, 128 in a quick run.";
-    curve.advice = "Points are cheap where few touch: take as many as lie half a voxel apart.";
-    curve.knob = {"points", "", true};
-    curve.default_knob = kUsualPoints;
+    CostCurve curve =
+        make_curve(scene, "points", "how many points",
+                   "; a field of 256 voxels along the object, 128 in a quick run.",
+                   "Points are cheap where few touch: take as many as lie half a voxel apart.",
+                   {"points", "", true}, kSingle, kUsualPoints);
     for (const double n : run.pick<std::vector<double>>({1000, 5000, kUsualPoints, 100000, 1000000},
                                                         {1000, kUsualPoints})) {
         const Pointshell points = scene.make_shell(static_cast<int>(n));
@@ -149,14 +147,12 @@ CostCurve vary_points(const Run& run, const AccuracyScene& scene,
 
 CostCurve vary_budget(const Run& run, const AccuracyScene& scene,
                       const FieldSampler::Field& field) {
-    CostCurve curve = make_curve(scene, "budget", "a budget of time");
-    curve.work = kPoses +
-                 " within a budget, each pose a jump from the last; a million points, "
-                 "50 000 in a quick run.";
-    curve.advice = "Give what the tick can spare; where all that touches fits, nothing is lost.";
-    curve.knob = {"budget", "us", true};
-    curve.default_series = "budget";
-    curve.default_knob = 100.0;
+    CostCurve curve = make_curve(
+        scene, "budget", "a budget of time",
+        " within a budget, each pose a jump from the last; a million points, 50 000 in a quick "
+        "run.",
+        "Give what the tick can spare; where all that touches fits, nothing is lost.",
+        {"budget", "us", true}, "budget", 100.0);
     const FieldSampler::Shell shell = make_shell(scene.make_shell(run.pick(1000000, 50000)));
     for (const double us : run.pick<std::vector<double>>({10, 20, 50, 100, 200, 500}, {10, 100})) {
         curve.points.push_back(judge_field("budget", us, scene, field, shell, {.budget_us = us}));
@@ -166,16 +162,13 @@ CostCurve vary_budget(const Run& run, const AccuracyScene& scene,
 
 CostCurve vary_depth(const Run& run, const AccuracyScene& scene) {
     constexpr int kVoxelsAlong = 76;
-    CostCurve curve = make_curve(scene, "depth", "voxels of two bits in a tree");
-    curve.work = kPoses +
-                 ", by tangent planes of 80 voxels along the object, 20 000 points, 5000 "
-                 "in a quick run; depth 0: a byte a voxel, no tree.";
-    curve.advice =
-        "The depth changes time and memory, not the force, which a surface of voxels tells to "
-        "half a voxel only: take a distance field for exact forces.";
-    curve.knob = {"depth of the tree", "", false};
-    curve.default_series = "voxmap";
-    curve.default_knob = 0.0;
+    CostCurve curve =
+        make_curve(scene, "depth", "voxels of two bits in a tree",
+                   ", by tangent planes of 80 voxels along the object, 20 000 points, 5000 in a "
+                   "quick run; depth 0: a byte a voxel, no tree.",
+                   "The depth changes time and memory, not the force, which a surface of voxels "
+                   "tells to half a voxel only: take a distance field for exact forces.",
+                   {"depth of the tree", "", false}, "voxmap", 0.0);
     const auto grid = std::make_shared<const VoxelGrid>(
         voxelise(scene.object, {.voxel_m = compute_voxel_m(scene.object, kVoxelsAlong)}).value());
     const Pointshell points = scene.make_shell(run.pick(static_cast<int>(kUsualPoints), 5000));

@@ -4,10 +4,7 @@
 
 #include "haptics/tool/slope_sum.h"
 #include "haptics/voxel/distance_field_batch.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <algorithm>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -36,25 +33,6 @@ CostPoint measure_kernels(const FieldKernels& kernels, const FieldPointsTask& ta
     }
     return {std::string(kernels.name),
             static_cast<double>(n),
-            find_rms_voxels(task, values_m),
-            cost,
-            {}};
-}
-
-CostPoint measure_one_by_one(const FieldPointsTask& task, const DistanceField& field,
-                             const Timing& timing) {
-    std::vector<double> values_m(task.shell.size());
-    const Cost cost = measure_cost(
-        [&] {
-            for (std::size_t i = 0; i < values_m.size(); ++i) {
-                const DistanceSample sample = field.sample(task.X_OT * task.shell.position_T(i));
-                values_m[i] = sample.value_m;
-                keep(sample.slope);
-            }
-        },
-        timing, field.memory_bytes());
-    return {"one by one, double",
-            static_cast<double>(values_m.size()),
             find_rms_voxels(task, values_m),
             cost,
             {}};
@@ -110,17 +88,12 @@ double find_worst_part(const Matrix6& slopes, const Matrix6& exact) {
     return worst;
 }
 
-CostCurve make_slopes_curve() {
+CostCurve make_curve(const std::string& name, const std::string& title) {
     CostCurve curve;
-    curve.name = "field-slopes";
-    curve.title = "How the force of a tool's points changes with its pose";
-    curve.work =
-        "The same points: the derivatives of force and torque by the tool's pose, as backward "
-        "Euler takes them, of those inside.";
-    curve.reference = "the same sums point by point in double precision";
+    curve.name = name;
+    curve.title = title;
     curve.advice = "Nothing is to be chosen: the best kernel of the processor is taken.";
     curve.knob = {"points", "", true};
-    curve.error = {"error, in parts of the largest of its kind", "", true};
     curve.default_series = std::string(best_field_kernels().name);
     curve.default_knob = kFieldPoints.back();
     return curve;
@@ -134,32 +107,29 @@ void measure_slopes(const FieldPointsTask& task, const DistanceField& field, con
         if (kernels != nullptr) {
             const Cost cost = measure_cost([&] { keep(sum_slopes(*kernels, task, field)); }, timing,
                                            field.memory_bytes());
-            curve.points.push_back({std::string(kernels->name),
-                                    n,
-                                    find_worst_part(sum_slopes(*kernels, task, field), exact),
-                                    cost,
-                                    {}});
+            curve.add(std::string(kernels->name), n,
+                      find_worst_part(sum_slopes(*kernels, task, field), exact), cost);
         }
     }
     const Cost cost = measure_cost([&] { keep(sum_slopes_one_by_one(task, field)); }, timing,
                                    field.memory_bytes());
-    curve.points.push_back({"one by one, double", n, 0.0, cost, {}});
+    curve.add("one by one, double", n, 0.0, cost);
 }
 
 Report run_field_points(Run& run) {
-    CostCurve slopes = make_slopes_curve();
-    CostCurve curve;
-    curve.name = "field-points";
-    curve.title = "Value and slope at a tool's points";
+    CostCurve slopes =
+        make_curve("field-slopes", "How the force of a tool's points changes with its pose");
+    slopes.work =
+        "The same points: the derivatives of force and torque by the tool's pose, as backward "
+        "Euler takes them, of those inside.";
+    slopes.reference = "the same sums point by point in double precision";
+    slopes.error = {"error, in parts of the largest of its kind", "", true};
+    CostCurve curve = make_curve("field-points", "Value and slope at a tool's points");
     curve.work =
         "All points of a ball lie within a voxel of the same ball in 80 voxels along each side: "
         "trilinear value and slope of each, and the list of those inside.";
     curve.reference = "analytic: the distance to a sphere";
-    curve.advice = "Nothing is to be chosen: the best kernel of the processor is taken.";
-    curve.knob = {"points", "", true};
     curve.error = {"error of the value, root mean square", "voxels", true};
-    curve.default_series = std::string(best_field_kernels().name);
-    curve.default_knob = kFieldPoints.back();
     const Timing timing{.samples = run.pick(1500, 200), .batch = 1, .warm_up = 50};
     for (const int n : kFieldPoints) {
         const FieldPointsTask task = make_field_points_task(n);
@@ -169,7 +139,12 @@ Report run_field_points(Run& run) {
                 curve.points.push_back(measure_kernels(*kernels, task, field, timing));
             }
         }
-        curve.points.push_back(measure_one_by_one(task, field, timing));
+        curve.points.push_back(measure_one_by_one(
+            "one by one, double", task, field.memory_bytes(), timing, [&](const Vector3& at_O) {
+                const DistanceSample sample = field.sample(at_O);
+                keep(sample.slope);
+                return sample.value_m;
+            }));
         measure_slopes(task, field, timing, slopes);
         run.progress(static_cast<double>(curve.points.size()) / 12.0,
                      std::to_string(n) + " points");

@@ -4,9 +4,8 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/voxel/distance_field.h"
 #include "haptics/voxel/pointshell.h"
+#include "tests/bench/harness/curve.h"
 
-#include <array>
-#include <cmath>
 #include <span>
 
 namespace fulcrum::bench {
@@ -41,6 +40,22 @@ struct FieldPointsTask {
         sum += (values_m[i] - exact_m) * (values_m[i] - exact_m);
     }
     return std::sqrt(sum / static_cast<double>(values_m.size())) / task.frame.voxel_m;
+}
+
+/// What the value of each point costs, asked for one after the other, and how exact it is: `read` gives it, metres, at a place.
+template <class Read>
+[[nodiscard]] CostPoint measure_one_by_one(const std::string& series, const FieldPointsTask& task,
+                                           std::size_t bytes, const Timing& timing, Read read) {
+    std::vector<double> values_m(task.shell.size());
+    const Cost cost = measure_cost(
+        [&] {
+            for (std::size_t i = 0; i < values_m.size(); ++i) {
+                values_m[i] = read(task.X_OT * task.shell.position_T(i));
+            }
+        },
+        timing, bytes);
+    return {
+        series, static_cast<double>(values_m.size()), find_rms_voxels(task, values_m), cost, {}};
 }
 
 }  // namespace fulcrum::bench

@@ -1,22 +1,14 @@
 // A tool of a million points against a distance field of 512 voxels a side: what a step costs by the tree, with memory of what is
 // free, and by brute force, for contacts here and there, jumps, and a tool that fills a socket; what a budget of time costs in force.
-#include "haptics/tool/field_sampling.h"
 
 #include "haptics/geometry/shape.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/curves/accuracy_scenes.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace fulcrum::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::array<double, 4> kSpeeds{0.05, 0.5, 1.0, 4.0};  // radii a second
 constexpr double kTick_s = 1.0e-3;
@@ -29,18 +21,14 @@ struct Scene {
     double build_s = 0.0;
 };
 
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 Scene make_scene(const TriangleMesh& object, const TriangleMesh& tool, int n_along, int n_points) {
     Scene scene;
-    const auto begin = Clock::now();
-    scene.field = std::make_shared<const DistanceField>(
-        DistanceField::build(object, DistanceField::make_frame(object, n_along).value()).value());
-    scene.shell = std::make_shared<const ShellTree>(
-        ShellTree::build(make_surface_pointshell(tool, n_points).value()).value());
-    scene.build_s = seconds_since(begin);
+    const Took took = time_once([&] {
+        scene.field = make_distance_field(object, n_along);
+        scene.shell = std::make_shared<const ShellTree>(
+            ShellTree::build(make_surface_pointshell(tool, n_points).value()).value());
+    });
+    scene.build_s = 1.0e-6 * took.clock_us;
     return scene;
 }
 
@@ -162,28 +150,18 @@ int count_other(const Scene& scene, SamplingMode mode, const std::vector<Pose>& 
     return n_other;
 }
 
-class Rows {
-  public:
-    explicit Rows(Sheet& sheet) : sheet_(sheet) {}
-
-    void add(const std::string& what, double speed, const Scene& scene,
-             const std::vector<Pose>& way) {
-        const std::vector<Pose> few(way.begin(), way.begin() + 60);
-        const Measured brute = measure(scene, {.mode = SamplingMode::brute_force}, few);
-        for (const SamplingMode mode : {SamplingMode::tree, SamplingMode::coherent}) {
-            const Measured m = measure(scene, {.mode = mode}, way);
-            sheet_.rows.push_back({what, mode == SamplingMode::tree ? "tree" : "coherent",
-                                   to_text(speed), to_text(std::round(m.n_touching)),
-                                   to_text(m.cost.median_us), to_text(m.cost.p99_us),
-                                   to_text(m.most_us), to_text(brute.cost.median_us),
-                                   to_text(brute.cost.median_us / m.cost.median_us),
-                                   to_text(count_other(scene, mode, way))});
-        }
+void add_rows(const std::string& what, double speed, const Scene& scene,
+              const std::vector<Pose>& way, Sheet& sheet) {
+    const std::vector<Pose> few(way.begin(), way.begin() + 60);
+    const Measured brute = measure(scene, {.mode = SamplingMode::brute_force}, few);
+    for (const SamplingMode mode : {SamplingMode::tree, SamplingMode::coherent}) {
+        const Measured m = measure(scene, {.mode = mode}, way);
+        sheet.add({what, mode == SamplingMode::tree ? "tree" : "coherent", speed,
+                   std::round(m.n_touching), m.cost.median_us, m.cost.p99_us, m.most_us,
+                   brute.cost.median_us, brute.cost.median_us / m.cost.median_us,
+                   count_other(scene, mode, way)});
     }
-
-  private:
-    Sheet& sheet_;
-};
+}
 
 constexpr const char* kWork =
     "A bumpy ball of points on a bumpy ball of 100 820 triangles, 512 voxels along its diameter, "
@@ -229,70 +207,33 @@ double count_late(const Measured& measured, double budget_us, double Took::*whic
         measured.took, [&](const Took& took) { return took.*which > budget_us; }));
 }
 
-class BudgetRows {
-  public:
-    BudgetRows(Sheet& sheet, int n) : sheet_(sheet), n_(n) {}
-
-    void add(const std::string& what, double speed, const Scene& scene,
-             const std::vector<Pose>& way) {
-        const std::vector<Pose> some(way.begin(), way.begin() + n_);
-        const Measured exact = measure(scene, {}, some);
-        for (const double budget_us : {30.0, 60.0, 100.0, 200.0}) {
-            add(what, speed, scene, some, exact,
-                {.budget_us = budget_us, .clock = BudgetClock::measured});
-        }
-        add(what, speed, scene, some, exact, {.budget_us = 100.0, .clock = BudgetClock::counted});
+void add_budget_row(const std::string& what, double speed, const Scene& scene,
+                    const std::vector<Pose>& way, const Measured& exact,
+                    const FieldSamplingSettings& settings, Sheet& sheet) {
+    const Measured m = measure(scene, settings, way);
+    const BudgetErrors errors = compare(m, exact.touches, scene.shell->reach_m());
+    if (errors.n_steps == 0) {
+        return;
     }
+    const Cost force = summarise(errors.force_percent);
+    sheet.add({what, speed, settings.budget_us,
+               settings.clock == BudgetClock::measured ? "measured" : "counted", m.cost.median_us,
+               m.cost.p99_us, count_late(m, settings.budget_us, &Took::clock_us),
+               count_late(m, settings.budget_us, &Took::own_us), errors.weight, force.median_us,
+               force.p99_us, summarise(errors.torque_percent).p99_us,
+               summarise(errors.said_percent).median_us, errors.n_steps, errors.n_beyond});
+}
 
-  private:
-    void add(const std::string& what, double speed, const Scene& scene,
-             const std::vector<Pose>& way, const Measured& exact,
-             const FieldSamplingSettings& settings) {
-        const Measured m = measure(scene, settings, way);
-        const BudgetErrors errors = compare(m, exact.touches, scene.shell->reach_m());
-        if (errors.n_steps == 0) {
-            return;
-        }
-        const Cost force = summarise(errors.force_percent);
-        sheet_.rows.push_back({what, to_text(speed), to_text(settings.budget_us),
-                               settings.clock == BudgetClock::measured ? "measured" : "counted",
-                               to_text(m.cost.median_us), to_text(m.cost.p99_us),
-                               to_text(count_late(m, settings.budget_us, &Took::clock_us)),
-                               to_text(count_late(m, settings.budget_us, &Took::own_us)),
-                               to_text(errors.weight), to_text(force.median_us),
-                               to_text(force.p99_us),
-                               to_text(summarise(errors.torque_percent).p99_us),
-                               to_text(summarise(errors.said_percent).median_us),
-                               to_text(errors.n_steps), to_text(errors.n_beyond)});
+void add_budget_rows(const std::string& what, double speed, const Scene& scene,
+                     std::vector<Pose> way, int n, Sheet& sheet) {
+    way.resize(static_cast<std::size_t>(n));
+    const Measured exact = measure(scene, {}, way);
+    for (const double budget_us : {30.0, 60.0, 100.0, 200.0}) {
+        add_budget_row(what, speed, scene, way, exact,
+                       {.budget_us = budget_us, .clock = BudgetClock::measured}, sheet);
     }
-
-    Sheet& sheet_;
-    int n_;
-};
-
-Sheet make_budget_sheet() {
-    Sheet sheet{"field-sampling-budget",
-                "A budget of time: error of the net force",
-                kWork,
-                "Give what the tick can spare; what it says of its error is on the safe side.",
-                {},
-                {}};
-    sheet.columns = {"contact",
-                     "radii a second",
-                     "budget us",
-                     "clock",
-                     "median us",
-                     "99 % us",
-                     "steps late",
-                     "late by their own work",
-                     "most points for one",
-                     "force error, median %",
-                     "force error, 99 %, %",
-                     "torque error over force and radius, 99 %, %",
-                     "error it says, median %",
-                     "steps of 150 samples",
-                     "steps off by more than said"};
-    return sheet;
+    add_budget_row(what, speed, scene, way, exact,
+                   {.budget_us = 100.0, .clock = BudgetClock::counted}, sheet);
 }
 
 Report run_field_sampling(Run& run) {
@@ -308,47 +249,49 @@ Report run_field_sampling(Run& run) {
         "field-sampling",
         "A million points against a distance field",
         kWork,
-        "Keep the coherent mode: it is the tree where everything moves far, and a part of it "
-        "where little does.",
-        {},
-        {}};
-    sheet.columns = {
-        "contact", "mode",    "radii a second", "points touching", "median us",
-        "99 % us", "most us", "brute force us", "times faster",    "steps that differ"};
-    Rows rows(sheet);
+        "Keep the coherent mode: it is the tree where everything moves far, and a part of it where "
+        "little does.",
+        {"contact", "mode", "radii a second", "points touching", "median us", "99 % us", "most us",
+         "brute force us", "times faster", "steps that differ"}};
     for (const double speed : kSpeeds) {
-        rows.add("local", speed, scene, make_local_way(scene, speed, n, 1000.0));
+        add_rows("local", speed, scene, make_local_way(scene, speed, n, 1000.0), sheet);
     }
-    rows.add("jumps", 0.0, scene, make_jumps(make_local_way(scene, 4.0, n, 1000.0)));
+    add_rows("jumps", 0.0, scene, make_jumps(make_local_way(scene, 4.0, n, 1000.0)), sheet);
     run.progress(0.6, "local contacts are measured");
     const VoxelFrame socket_frame = DistanceField::make_frame(make_socket(71), n_along).value();
     const TriangleMesh plug =
         *make_bumpy_sphere(1.0 - kClearance_voxels * socket_frame.voxel_m, 71, 0.02, 15.0);
     const Scene socket = make_scene(make_socket(71), plug, n_along, n_points);
-    Sheet budgets = make_budget_sheet();
-    BudgetRows budget_rows(budgets, run.pick(600, 100));
+    Sheet budgets{
+        "field-sampling-budget",
+        "A budget of time: error of the net force",
+        kWork,
+        "Give what the tick can spare; what it says of its error is on the safe side.",
+        {"contact", "radii a second", "budget us", "clock", "median us", "99 % us", "steps late",
+         "late by their own work", "most points for one", "force error, median %",
+         "force error, 99 %, %", "torque error over force and radius, 99 %, %",
+         "error it says, median %", "steps of 150 samples", "steps off by more than said"}};
+    const int n_budget = run.pick(600, 100);
     for (const double speed : {0.05, 0.2, 1.0}) {
         const auto way = make_socket_way(socket, speed, n / 2, kInSocket * n_points);
-        rows.add("socket", speed, socket, way);
-        budget_rows.add("socket", speed, socket, way);
+        add_rows("socket", speed, socket, way, sheet);
+        add_budget_rows("socket", speed, socket, way, n_budget, budgets);
         run.progress(speed < 0.1 ? 0.75 : 0.9, "a socket at " + to_text(speed) + " radii a second");
     }
     for (const double speed : {0.5, 4.0}) {
-        budget_rows.add("local", speed, scene, make_local_way(scene, speed, n, 1000.0));
+        add_budget_rows("local", speed, scene, make_local_way(scene, speed, n, 1000.0), n_budget,
+                        budgets);
     }
     Sheet build{"field-sampling-build",
                 "What is built and kept",
                 kWork,
                 "Half as many cells along a side build four times as fast and take a quarter of "
                 "the memory.",
-                {},
-                {}};
-    build.columns = {"build s", "field MB", "shell MB", "bricks", "slope bound", "kernel"};
-    build.rows.push_back(
-        {to_text(scene.build_s), to_text(static_cast<double>(scene.field->memory_bytes()) / 1.0e6),
-         to_text(static_cast<double>(scene.shell->memory_bytes()) / 1.0e6),
-         to_text(static_cast<double>(scene.field->counts().n_bricks)),
-         to_text(scene.field->slope_bound()), std::string(best_field_kernels().name)});
+                {"build s", "field MB", "shell MB", "bricks", "slope bound", "kernel"}};
+    build.add({scene.build_s, 1.0e-6 * static_cast<double>(scene.field->memory_bytes()),
+               1.0e-6 * static_cast<double>(scene.shell->memory_bytes()),
+               scene.field->counts().n_bricks, scene.field->slope_bound(),
+               best_field_kernels().name});
     return {sheet, budgets, build};
 }
 

@@ -1,13 +1,8 @@
 // Rounds of the friction solver where a corner holds the proxy: what each costs, and how far it stays from the solution. Beside it
 // the plain Gauss-Seidel sweep that solves push and drag of one plane after the other.
 #include "haptics/point/friction_problem.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/wander.h"
-
-#include <algorithm>
-#include <array>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -114,15 +109,12 @@ Report run_friction_solver(Run& run) {
     curve.title = "Friction in a corner: rounds of the solver";
     curve.work =
         "A hand some centimetres behind two or three planes with friction; the error is how far "
-        "the "
-        "proxy's goal lies from the solution, 95 % of all corners are better.";
+        "the proxy's goal lies from the solution, 95 % of all corners are better.";
     curve.reference = "converged: the same laws after 5000 rounds, changes below 1e-12 m";
     curve.advice =
         "Two rounds solve a corner of one solid, and most others; where three solids move against "
-        "each other, "
-        "the default, 16, leaves some tenths of a millimetre in the worst of them. One plane alone "
-        "is "
-        "exact in closed form, whatever the number.";
+        "each other, the default, 16, leaves some tenths of a millimetre in the worst of them. One "
+        "plane alone is exact in closed form, whatever the number.";
     curve.knob = {"rounds at most", "", true};
     curve.error = {"distance from the solution, 95 %", "mm", true};
     curve.extras = {{"the same, median", "mm", true}};

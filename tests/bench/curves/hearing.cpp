@@ -5,23 +5,13 @@
 #include "runtime/audio/resample.h"
 #include "runtime/audio/wav.h"
 #include "runtime/files/run_program.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <memory>
 #include <random>
 #include <span>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -168,9 +158,8 @@ HeardAll hear(Decoder& decoder, const Question& question, const Condition& condi
     double length_s = 0.0;
     const auto one = [&](std::string_view text) {
         const auto samples = speak(condition, text);
-        const auto begun = std::chrono::steady_clock::now();
-        const Decoded decoded = decoder.decode(samples);
-        took_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        Decoded decoded;
+        took_s += 1.0e-6 * time_by_clock_us([&] { decoded = decoder.decode(samples); });
         length_s += static_cast<double>(samples.size()) / kHeardRate_Hz;
         Heard heard;
         if (!decoded.text.empty()) {
@@ -203,14 +192,18 @@ double percent(const std::vector<Heard>& heard, double threshold, const Which& w
 bool any(const Heard& /*heard*/) {
     return true;
 }
+bool is_exact(const Heard& heard) {
+    return heard.exact;
+}
+bool is_told(const Heard& heard) {
+    return heard.told;
+}
 
 // Each voice is a learner's of its own.
 std::unique_ptr<Decoder> listen(const Question& question, const DecoderSettings& settings) {
-    auto decoder = Decoder::create(settings);
-    if (!decoder || !(*decoder)->listen(make_word_graph(*question.templates))) {
-        throw std::runtime_error("the recogniser cannot listen");
-    }
-    return std::move(*decoder);
+    auto decoder = must(Decoder::create(settings));
+    (void)must(decoder->listen(make_word_graph(*question.templates)));
+    return decoder;
 }
 
 bool speaks(const Condition& condition) {
@@ -229,10 +222,8 @@ Sheet measure_throats(Run& run, const Question& question, double used) {
                 "the learner's own throat, which is found from what fits; pitch and formants are "
                 "raised, the words are as quick.",
                 "Leave it on: it costs time only where the first try is not sure.",
-                {},
-                {}};
-    sheet.columns = {"semitones up",   "throats tried",     "heard %",         "word for word %",
-                     "near: let in %", "outside: let in %", "time over length"};
+                {"semitones up", "throats tried", "heard %", "word for word %", "near: let in %",
+                 "outside: let in %", "time over length"}};
     const std::vector<int> semitones = run.pick(std::vector<int>{0, 2, 4, 6}, std::vector<int>{4});
     for (const int up : semitones) {
         const Condition voice{"", "flite", "slt", std::pow(2.0, up / 12.0)};
@@ -246,12 +237,9 @@ Sheet measure_throats(Run& run, const Question& question, double used) {
                 hear(*decoder, question, voice, run.pick(std::size_t{1}, std::size_t{4}));
             std::vector<Heard> inside = all.right;
             inside.insert(inside.end(), all.wrong.begin(), all.wrong.end());
-            sheet.rows.push_back(
-                {std::to_string(up), std::to_string(settings.throats.size()),
-                 to_text(percent(inside, used, any)),
-                 to_text(percent(inside, used, [](const Heard& each) { return each.exact; })),
-                 to_text(percent(all.near, used, any)), to_text(percent(all.outside, used, any)),
-                 to_text(all.share_of_length)});
+            sheet.add({up, settings.throats.size(), percent(inside, used, any),
+                       percent(inside, used, is_exact), percent(all.near, used, any),
+                       percent(all.outside, used, any), all.share_of_length});
         }
     }
     return sheet;
@@ -263,10 +251,7 @@ Report run_hearing(Run& run) {
                           {"[the|a|an] {thing} is the <superlative:heavy>",
                            "the <superlative:heavy> is [the|a|an] {thing}"},
                           {{"thing", {"watermelon", "apple", "banana", "egg"}}}};
-    const auto question = compile_question(source);
-    if (!question) {
-        throw std::runtime_error("the question cannot be compiled");
-    }
+    const Question question = must(compile_question(source));
     constexpr double kLeastConfidence = 0.4;  // below it a lesson asks again
     const DecoderSettings settings;
     const double used =
@@ -275,30 +260,17 @@ Report run_hearing(Run& run) {
         "hearing-voices",
         "What is heard of synthetic voices",
         "10 right sentences, 10 with a learner's error, 8 of another meaning that lie near, and 20 "
-        "that fit nothing, one question; "
-        "heard: sure enough to be marked.",
+        "that fit nothing, one question; heard: sure enough to be marked.",
         "Let a pupil type where the room is loud.",
-        {},
-        {}};
-    voices.columns = {"voice",
-                      "right: heard %",
-                      "right: word for word %",
-                      "right: called an error %",
-                      "errors: heard %",
-                      "errors: told as errors %",
-                      "errors: word for word %",
-                      "near: let in %",
-                      "outside: let in %",
-                      "time over length"};
+        {"voice", "right: heard %", "right: word for word %", "right: called an error %",
+         "errors: heard %", "errors: told as errors %", "errors: word for word %", "near: let in %",
+         "outside: let in %", "time over length"}};
     Sheet knob{"hearing-threshold",
                "How sure the recogniser has to be",
                "The same sentences of the three clear voices: kept, with errors or without, "
-               "against let in "
-               "from outside the grammar.",
+               "against let in from outside the grammar.",
                "Higher where a wrong guess costs more than asking again.",
-               {},
-               {}};
-    knob.columns = {"least difference", "kept %", "near let in %", "outside let in %", "in use"};
+               {"least difference", "kept %", "near let in %", "outside let in %", "in use"}};
     HeardAll clear;
     const std::size_t n = run.pick(conditions().size(), std::size_t{1});
     constexpr std::size_t kClear = 3;
@@ -308,34 +280,33 @@ Report run_hearing(Run& run) {
                          conditions()[i].name.c_str(), conditions()[i].program.c_str());
             continue;
         }
-        const HeardAll all = hear(*listen(*question, settings), *question, conditions()[i],
+        const HeardAll all = hear(*listen(question, settings), question, conditions()[i],
                                   run.pick(std::size_t{1}, std::size_t{4}));
-        const auto is_exact = [](const Heard& each) { return each.exact; };
-        const auto is_told = [](const Heard& each) { return each.told; };
-        voices.rows.push_back(
-            {conditions()[i].name, to_text(percent(all.right, used, any)),
-             to_text(percent(all.right, used, is_exact)),
-             to_text(percent(all.right, used, is_told)), to_text(percent(all.wrong, used, any)),
-             to_text(percent(all.wrong, used, is_told)),
-             to_text(percent(all.wrong, used, is_exact)), to_text(percent(all.near, used, any)),
-             to_text(percent(all.outside, used, any)), to_text(all.share_of_length)});
+        voices.add({conditions()[i].name, percent(all.right, used, any),
+                    percent(all.right, used, is_exact), percent(all.right, used, is_told),
+                    percent(all.wrong, used, any), percent(all.wrong, used, is_told),
+                    percent(all.wrong, used, is_exact), percent(all.near, used, any),
+                    percent(all.outside, used, any), all.share_of_length});
         if (i < kClear) {
-            clear.right.insert(clear.right.end(), all.right.begin(), all.right.end());
-            clear.right.insert(clear.right.end(), all.wrong.begin(), all.wrong.end());
-            clear.near.insert(clear.near.end(), all.near.begin(), all.near.end());
-            clear.outside.insert(clear.outside.end(), all.outside.begin(), all.outside.end());
+            for (const auto& [from, to] : {std::pair{&all.right, &clear.right},
+                                           {&all.wrong, &clear.right},
+                                           {&all.near, &clear.near},
+                                           {&all.outside, &clear.outside}}) {
+                to->insert(to->end(), from->begin(), from->end());
+            }
         }
         run.progress(static_cast<double>(i + 1) / static_cast<double>(n));
     }
+    const auto add_threshold = [&](double threshold, const char* in_use) {
+        knob.add({threshold, percent(clear.right, threshold, any),
+                  percent(clear.near, threshold, any), percent(clear.outside, threshold, any),
+                  in_use});
+    };
     for (double threshold = -10.0; threshold <= 8.0; threshold += 1.0) {
-        knob.rows.push_back({to_text(threshold), to_text(percent(clear.right, threshold, any)),
-                             to_text(percent(clear.near, threshold, any)),
-                             to_text(percent(clear.outside, threshold, any)), ""});
+        add_threshold(threshold, "");
     }
-    knob.rows.push_back({to_text(used), to_text(percent(clear.right, used, any)),
-                         to_text(percent(clear.near, used, any)),
-                         to_text(percent(clear.outside, used, any)), "in use"});
-    return {voices, knob, measure_throats(run, *question, used)};
+    add_threshold(used, "in use");
+    return {voices, knob, measure_throats(run, question, used)};
 }
 
 const Registration kHearing{

@@ -2,14 +2,7 @@
 // beside theory's. Time is that of a simulated second, for smaller steps are more of them; that of a step stands beside it.
 #include "tests/bench/curves/integrators.h"
 
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {

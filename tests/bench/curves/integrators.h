@@ -24,11 +24,11 @@ struct IntegratorProblem {
     std::string advice;
     Axis error;
     Inertia inertia;
-    RigidState start;
+    RigidState start{};
     const Load* load = nullptr;
-    std::vector<RigidState> course;  ///< as it should be, at kSample_s, 2 kSample_s, ...
+    std::vector<RigidState> course{};  ///< as it should be, at kSample_s, 2 kSample_s, ...
     /// How wrong a state is against the course's, in the unit of `error`.
-    std::function<double(const RigidState&, const RigidState&)> compute_error;
+    std::function<double(const RigidState&, const RigidState&)> compute_error{};
     double rounding = 0.0;        ///< an error below this is rounding and shows no order
     double unstable_above = 0.0;  ///< an error above this is no error but a run out of bounds
 };

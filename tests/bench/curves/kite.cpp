@@ -2,12 +2,7 @@
 #include "haptics/flight/catenary.h"
 #include "haptics/flight/kite_flight.h"
 #include "haptics/math/length.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -66,14 +61,12 @@ CostCurve compute_line_curve(Run& run) {
     curve.title = "A kite's line";
     curve.work =
         "the pull of a 20 m nylon line on a kite that stands 10 m downwind and 17 m up in a wind "
-        "of "
-        "8 m/s; time is that of the whole flight's step, but for the catenary, whose solve alone "
-        "is "
-        "timed";
+        "of 8 m/s; time is that of the whole flight's step, but for the catenary, whose solve "
+        "alone is timed";
     curve.reference = "converged: 64 segments at rest in that wind";
     curve.advice =
-        "8 segments are enough to feel and 16 to see; the catenary knows no wind on the "
-        "line, and that outweighs the line itself";
+        "8 segments are enough to feel and 16 to see; the catenary knows no wind on the line, and "
+        "that outweighs the line itself";
     curve.knob = {"segments", "", true};
     curve.error = {"error of the pull", "N", true};
     curve.default_series = "segments";
@@ -83,25 +76,17 @@ CostCurve compute_line_curve(Run& run) {
         run.progress(0.05 * segments / 6.4, "line of " + std::to_string(segments));
         KiteFlightSettings settings = make_windy();
         settings.line.segments = segments;
-        curve.points.push_back({"segments",
-                                static_cast<double>(segments),
-                                compute_length(Vector3(find_line_pull(segments) - reference_N)),
-                                measure_flight(settings, kWorldRate_Hz, run),
-                                {}});
+        curve.add("segments", segments, compute_length(find_line_pull(segments) - reference_N),
+                  measure_flight(settings, kWorldRate_Hz, run));
     }
     const LineSettings line;
     const CatenarySettings catenary{line.length_m, line.mass_kg_per_m * 9.81, line.stretch_N};
     const auto pull = compute_catenary(catenary, kFar_W.x(), kFar_W.y());
     const double error_N =
-        pull ? compute_length(Vector3(Vector3(-pull->level_N, -pull->up_top_N, 0.0) - reference_N))
-             : kNone;
-    curve.points.push_back(
-        {"catenary",
-         1.0,
-         error_N,
-         measure_cost([&] { keep(compute_catenary(catenary, kFar_W.x(), kFar_W.y())); },
-                      timing_of(run)),
-         {}});
+        pull ? compute_length(Vector3(-pull->level_N, -pull->up_top_N, 0.0) - reference_N) : kNone;
+    curve.add("catenary", 1.0, error_N,
+              measure_cost([&] { keep(compute_catenary(catenary, kFar_W.x(), kFar_W.y())); },
+                           timing_of(run)));
     return curve;
 }
 
@@ -128,7 +113,7 @@ std::vector<Vector3> fly_course(double rate_Hz) {
 double find_distance_m(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
     double farthest_m = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        farthest_m = std::max(farthest_m, compute_length(Vector3(a[i] - b[i])));
+        farthest_m = std::max(farthest_m, compute_length(a[i] - b[i]));
     }
     return farthest_m;
 }
@@ -154,8 +139,7 @@ CostCurve compute_step_curve(Run& run) {
         Cost cost = measure_flight(make_windy(), rate_Hz, run);
         cost.median_us *= rate_Hz;
         cost.p99_us *= rate_Hz;
-        curve.points.push_back(
-            {"backward Euler", rate_Hz, find_distance_m(fly_course(rate_Hz), reference), cost, {}});
+        curve.add("backward Euler", rate_Hz, find_distance_m(fly_course(rate_Hz), reference), cost);
     }
     return curve;
 }
@@ -165,8 +149,8 @@ CostCurve compute_air_curve(Run& run) {
     curve.name = "kite-air";
     curve.title = "Laws of a kite's plates";
     curve.work =
-        "the tension and the place of a diamond in a steady wind of 6 m/s, by each law and "
-        "number of strips a half";
+        "the tension and the place of a diamond in a steady wind of 6 m/s, by each law and number "
+        "of strips a half";
     curve.reference = "cross flow with 64 strips: how far apart the laws are, not which is true";
     curve.advice =
         "6 strips of cross flow; NASA's thin plate, whose pressure stays at the quarter chord, "
@@ -187,13 +171,11 @@ CostCurve compute_air_curve(Run& run) {
             settings.kite.strips = strips;
             const KiteReport steady = find_steady(settings);
             constexpr double kDegrees = 57.295779513082321;
-            curve.points.push_back({std::string(to_string(law)),
-                                    static_cast<double>(strips),
-                                    compute_length(Vector3(steady.tension_W - reference_N)) /
-                                        compute_length(reference_N),
-                                    measure_flight(settings, kWorldRate_Hz, run),
-                                    {steady.angle_of_attack_rad * kDegrees,
-                                     compute_length(steady.tension_W), steady.centre_W.y()}});
+            curve.add(std::string(to_string(law)), strips,
+                      compute_length(steady.tension_W - reference_N) / compute_length(reference_N),
+                      measure_flight(settings, kWorldRate_Hz, run),
+                      {steady.angle_of_attack_rad * kDegrees, compute_length(steady.tension_W),
+                       steady.centre_W.y()});
         }
     }
     return curve;

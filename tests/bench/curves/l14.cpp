@@ -1,14 +1,8 @@
 // Otaduy & Lin 2005, figure 4, on a scene of planes: penetration, coupling deviation, contact and felt force over 600 ms
 // for RK4 at 100 g and backward Euler at 10 g; and the least mass that each integrator can move there.
 #include "tests/bench/curves/l14_charts.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/spoon_scene.h"
-
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -59,13 +53,11 @@ LineChart make_chart(const Quantity& quantity,
     chart.title = std::string(quantity.title) + " of a spoon in a cup's handle";
     chart.work =
         "a spoon on a coupling of 500 N/m at 1 kHz, its stem through a ring, pressed against it "
-        "from 120 ms "
-        "on, held still from 300 ms, drawn along from 450 ms; contact damping 8 Ns/m for every "
-        "mass";
+        "from 120 ms on, held still from 300 ms, drawn along from 450 ms; contact damping 8 Ns/m "
+        "for every mass";
     chart.reference =
         "after Otaduy & Lin 2005, figure 4, whose axes end at 0.7 mm, 5 mm and 1.8 N; their scene "
-        "is of "
-        "meshes, this one of planes";
+        "is of meshes, this one of planes";
     return chart;
 }
 
@@ -88,20 +80,16 @@ double find_least_mass_kg(Integrator integrator, double stiffness_N_per_m, doubl
 }
 
 Sheet make_sheet(const Run& run) {
-    Sheet sheet;
-    sheet.name = "l14-least-mass";
-    sheet.title = "The lightest spoon that stays stable";
-    sheet.work =
+    Sheet sheet{
+        "l14-least-mass",
+        "The lightest spoon that stays stable",
         "the same course, with masses from 100 g down to 1 g: the least down to which all come to "
-        "rest "
-        "while the hand is still";
-    sheet.advice =
+        "rest while the hand is still",
         "Otaduy & Lin had to take 100 g for RK4; on these planes, whose contacts are found anew at "
-        "every "
-        "stage, RK4 needs less than that and far more than backward Euler. The coupling is "
+        "every stage, RK4 needs less than that and far more than backward Euler. The coupling is "
         "critically damped about each axis: with one damper for the mean moment, 86 times the "
-        "least, no explicit method comes to rest even at 100 g.";
-    sheet.columns = {"integrator", "at 2 kN/m, g", "at 10 kN/m, g"};
+        "least, no explicit method comes to rest even at 100 g.",
+        {"integrator", "at 2 kN/m, g", "at 10 kN/m, g"}};
     int n_done = 0;
     for (const Integrator integrator : kIntegrators) {
         run.progress(0.2 + 0.16 * n_done++, "least mass, " + std::string(to_string(integrator)));
@@ -109,7 +97,7 @@ Sheet make_sheet(const Run& run) {
         for (const double stiffness_N_per_m : {2.0e3, 1.0e4}) {
             const double least_kg =
                 find_least_mass_kg(integrator, stiffness_N_per_m, run.pick(0.93, 0.6));
-            row.push_back(std::isfinite(least_kg) ? to_text(std::round(1.0e4 * least_kg) / 10.0)
+            row.push_back(std::isfinite(least_kg) ? to_text(rounded(1.0e3 * least_kg, 1))
                                                   : "none up to 100");
         }
         sheet.rows.push_back(std::move(row));

@@ -31,12 +31,9 @@ template <class Sample, class Variants>
     chart.x = {"time", "ms"};
     chart.y = quantity.y;
     for (std::size_t i = 0; i < variants.size(); ++i) {
-        Line line{variants[i].name, LineStyle::measured, {}, {}};
-        for (const Sample& sample : courses[i]) {
-            line.x.push_back(1.0e3 * sample.time_s);
-            line.y.push_back(quantity.value(sample));
-        }
-        chart.lines.push_back(std::move(line));
+        chart.draw(
+            variants[i].name, courses[i], [](const Sample&) { return true; },
+            [](const Sample& sample) { return 1.0e3 * sample.time_s; }, quantity.value);
     }
     return chart;
 }

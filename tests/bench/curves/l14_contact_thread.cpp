@@ -1,15 +1,8 @@
 // Otaduy & Lin 2005, figure 6, on jaws of our own: penetration, the contact thread's rate, coupling deviation and felt force over 900 ms, with
 // contact found each millisecond or 100 times a second, by planes, by their linearised model, and without a model.
 #include "tests/bench/curves/l14_charts.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/jaws.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -41,8 +34,8 @@ const std::array<Quantity, 4> kQuantities{
       "What the contact thread could do",
       {"rounds a second", "kHz"},
       [](const JawsSample& s) { return s.round_us > 0.0 ? 1.0e3 / s.round_us : kNone; },
-      "Six thousand points in a field: the contact thread is never slower than the haptic one; "
-      "the paper's fell to 0.1 kHz."},
+      "Six thousand points in a field: the contact thread is never slower than the haptic one; the "
+      "paper's fell to 0.1 kHz."},
      {"l14-jaws-deviation",
       "Coupling deviation of two jaws",
       {"coupling deviation", "mm"},
@@ -68,17 +61,14 @@ LineChart make_chart(const Quantity& quantity,
 }
 
 Sheet make_sheet(const std::vector<std::vector<JawsSample>>& courses) {
-    Sheet sheet;
-    sheet.name = "l14-jaws";
-    sheet.title = "Two jaws, with and without a model of contact";
-    sheet.work =
-        "the worst of the course, and the largest step of the force from one millisecond "
-        "to the next";
-    sheet.advice =
-        "Without a model the force diverges even at 500 Hz, as in the paper; with one, "
-        "100 Hz are enough.";
-    sheet.columns = {"contact model", "penetration, mm", "felt, N", "step of the force, N",
-                     "deviation, mm"};
+    Sheet sheet{
+        "l14-jaws",
+        "Two jaws, with and without a model of contact",
+        "the worst of the course, and the largest step of the force from one millisecond to the "
+        "next",
+        "Without a model the force diverges even at 500 Hz, as in the paper; with one, 100 Hz are "
+        "enough.",
+        {"contact model", "penetration, mm", "felt, N", "step of the force, N", "deviation, mm"}};
     for (std::size_t i = 0; i < kVariants.size(); ++i) {
         double deepest_m = 0.0;
         double most_N = 0.0;
@@ -92,10 +82,8 @@ Sheet make_sheet(const std::vector<std::vector<JawsSample>>& courses) {
             farthest_m = std::max(farthest_m, sample.deviation_m);
             last_N = sample.felt_N;
         }
-        sheet.rows.push_back({kVariants[i].name, to_text(std::round(1.0e6 * deepest_m) / 1.0e3),
-                              to_text(std::round(100.0 * most_N) / 100.0),
-                              to_text(std::round(100.0 * jump_N) / 100.0),
-                              to_text(std::round(1.0e5 * farthest_m) / 100.0)});
+        sheet.add({kVariants[i].name, rounded(1.0e3 * deepest_m, 3), rounded(most_N, 2),
+                   rounded(jump_N, 2), rounded(1.0e3 * farthest_m, 2)});
     }
     return sheet;
 }

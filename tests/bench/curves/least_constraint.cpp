@@ -2,34 +2,11 @@
 // with a little else wanted in every step.
 #include "haptics/constraint/least_constraint.h"
 
-#include "haptics/math/split_mix.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/bench/curves/touching.h"
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
-
-struct Contact {
-    Vector3 arm_W, normal_W;
-};
-
-// In one plane, as a tool lies flat; or from everywhere below, as it is stuck in a hollow.
-std::vector<Contact> make_contacts(int n, bool flat) {
-    SplitMix chance(static_cast<std::uint64_t>(n));
-    const auto draw = [&] { return 2.0 * chance.draw_chance() - 1.0; };
-    std::vector<Contact> contacts;
-    for (int k = 0; k < n; ++k) {
-        const Vector3 arm(0.05 * draw(), -0.02, 0.05 * draw());
-        const Vector3 normal =
-            flat ? Vector3::UnitY() : Vector3(0.8 * draw(), 1.0, 0.8 * draw()).normalized();
-        contacts.push_back({arm, normal});
-    }
-    return contacts;
-}
 
 Vector6 wanted_at(double phase) {
     Vector6 wanted;
@@ -39,7 +16,7 @@ Vector6 wanted_at(double phase) {
 }
 
 Cost measure(int n, bool flat, bool anew, const Timing& timing) {
-    const std::vector<Contact> contacts = make_contacts(n, flat);
+    const std::vector<Touching> contacts = make_touching(n, flat);
     LeastConstraintSolver solver(contacts.size());
     solver.set_inertia(0.05, Vector3(2.0e-5, 8.0e-5, 8.0e-5).asDiagonal());
     double phase = 0.0;
@@ -51,7 +28,7 @@ Cost measure(int n, bool flat, bool anew, const Timing& timing) {
                 (void)solver.solve(wanted_at(phase));  // nothing acts, nothing is remembered
             }
             solver.clear();
-            for (const Contact& c : contacts) {
+            for (const Touching& c : contacts) {
                 solver.add(c.arm_W, c.normal_W);
             }
             keep(solver.solve(wanted_at(phase)).force);
@@ -74,15 +51,11 @@ Report run_least_constraint(Run& run) {
     const Timing timing{run.pick(4000, 200), 1, 100};
     for (const bool flat : {true, false}) {
         for (const bool anew : {true, false}) {
-            Line line;
-            line.name =
-                std::string(flat ? "one plane" : "a hollow") + (anew ? ", anew" : ", step by step");
-            for (const int n : {1, 3, 10, 30, 100, 300, 1000}) {
-                const Cost cost = measure(n, flat, anew, timing);
-                line.x.push_back(n);
-                line.y.push_back(cost.median_us);
-            }
-            chart.lines.push_back(std::move(line));
+            chart.trace(
+                std::string(flat ? "one plane" : "a hollow") + (anew ? ", anew" : ", step by step"),
+                LineStyle::measured, {1, 3, 10, 30, 100, 300, 1000}, [&](double n) {
+                    return measure(static_cast<int>(n), flat, anew, timing).median_us;
+                });
         }
     }
     return {chart};

@@ -3,18 +3,13 @@
 #include "runtime/lua/process/lesson_process.h"
 
 #include "runtime/lua/host/lesson_host.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/scratch_folder.h"
 
-#include <array>
 #include <stdexcept>
-#include <string>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -52,7 +47,7 @@ LessonFrame make_frame(double time_s) {
 }
 
 void add_row(Sheet& sheet, const char* what, const Cost& cost) {
-    sheet.rows.push_back({what, to_text(cost.median_us), to_text(cost.p99_us)});
+    sheet.add({what, cost.median_us, cost.p99_us});
 }
 
 [[noreturn]] void give_up(const std::string& why) {
@@ -92,14 +87,9 @@ Cost measure_bare(std::size_t bytes, const Timing& timing) {
 void measure_process(Sheet& sheet, const LessonFiles& files, const Timing& timing) {
     add_row(sheet, "start of a lesson",
             measure_cost([&] { keep(LessonProcess::start(files)); }, {timing.samples / 50, 1, 1}));
-    auto process = LessonProcess::start(files);
-    if (!process) {
-        give_up(to_sentence(process.error()));
-    }
+    const auto process = must(LessonProcess::start(files));
     const auto there_and_back = [&, time_s = 0.0]() mutable {
-        if (!(*process)->exchange(make_frame(time_s += 1.0 / 60.0))) {
-            give_up("the lesson failed");
-        }
+        (void)must(process->exchange(make_frame(time_s += 1.0 / 60.0)));
     };
     add_row(sheet, "frame of 8 bodies, there and back", measure_cost(there_and_back, timing));
 }
@@ -121,17 +111,14 @@ void measure_host(Sheet& sheet, const Timing& timing) {
 }
 
 Report run_lesson_process(Run& run) {
-    Sheet sheet;
-    sheet.name = "lesson-process";
-    sheet.title = "A lesson in a process of its own";
-    sheet.work =
+    Sheet sheet{
+        "lesson-process",
+        "A lesson in a process of its own",
         "A lesson of eight falling bodies is started, then asked for frame after frame; each start "
-        "and each frame is timed.";
-    sheet.advice =
+        "and each frame is timed.",
         "Sixty frames a second cost well under a hundredth of a processor: there is nothing to "
-        "gain by letting a lesson's text "
-        "into the program's own process.";
-    sheet.columns = {"what", "median us", "99 % us"};
+        "gain by letting a lesson's text into the program's own process.",
+        {"what", "median us", "99 % us"}};
     const Timing timing{run.pick(20000, 1000), 1, 200};
     const ScratchFolder folder;
     folder.write("lesson.lua", kLesson);

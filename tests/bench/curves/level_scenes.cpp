@@ -3,14 +3,9 @@
 #include "haptics/base/clock.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
-#include "tests/bench/harness/measure.h"
+#include "tests/bench/curves/mesh_file.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/jaws.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <utility>
 
 namespace fulcrum::bench {
 namespace {
@@ -83,15 +78,6 @@ TriangleMesh make_spoon(int n_along, int n_round) {
     });
 }
 
-TriangleMesh make_scaled(const TriangleMesh& mesh, double diagonal_m) {
-    const Vector3 middle = 0.5 * (mesh.lower_B() + mesh.upper_B());
-    std::vector<Vector3> vertices = mesh.vertices_B();
-    for (Vector3& vertex : vertices) {
-        vertex = diagonal_m / mesh.diagonal_m() * (vertex - middle);
-    }
-    return TriangleMesh::build(std::move(vertices), mesh.triangles()).value();
-}
-
 }  // namespace
 
 LevelScene make_jaws_scene(int n_along, int n_round, int n_steps) {
@@ -134,7 +120,7 @@ LevelScene make_spoon_scene(int fineness, int n_steps) {
 }
 
 LevelScene make_rolling_scene(const std::string& name, const TriangleMesh& mesh, int n_steps) {
-    const TriangleMesh scaled = make_scaled(mesh, 0.2);
+    const TriangleMesh scaled = make_scaled(mesh, 0.2 / mesh.diagonal_m());
     LevelScene scene{
         .name = name + ", " + std::to_string(scaled.triangles().size()) + " triangles each",
         .object = scaled,
@@ -162,11 +148,11 @@ SceneLevels make_scene_levels(const LevelScene& scene) {
     return levels;
 }
 
-ClusterForce::ClusterForce(const LevelScene& scene, std::unique_ptr<LevelContacts> finder)
-    : within_m_(scene.within_m),
+ClusterForce::ClusterForce(double within_m, std::unique_ptr<LevelContacts> finder)
+    : within_m_(within_m),
       finder_(std::move(finder)),
       near_(1 << 13),
-      clusters_({.within_m = scene.within_m, .radius_m = 0.006, .most = 10, .fade_s = 0.0}) {}
+      clusters_({.within_m = within_m, .radius_m = 0.006, .most = 10, .fade_s = 0.0}) {}
 
 void ClusterForce::find(const Pose& X_OT) {
     near_.clear();
@@ -188,7 +174,7 @@ PlayedScene play_scene(const LevelScene& scene, const SceneLevels& levels,
                        const LevelPairSettings& settings) {
     constexpr double kCoupling_N_per_m = 500.0;
     constexpr int kRounds = 6;
-    ClusterForce contact(scene,
+    ClusterForce contact(scene.within_m,
                          LevelContacts::create(levels.object, levels.tool, settings).value());
     PlayedScene played;
     Vector3 place = scene.hands.front().position;
@@ -221,27 +207,19 @@ PlayedScene play_scene(const LevelScene& scene, const SceneLevels& levels,
 DeepPlay play_deep(const std::shared_ptr<const ContactLevels>& lump, int n_steps,
                    const LevelPairSettings& settings) {
     constexpr double kDeep_m = 0.01;
-    const double within_m = lump->settings().within_m;
-    const auto finder = LevelContacts::create(lump, lump, settings).value();
-    ContactClusters clusters({.within_m = within_m, .radius_m = 0.006, .most = 10, .fade_s = 0.0});
-    BoundedList<NearContact> near(1 << 13);
+    ClusterForce contact(lump->settings().within_m,
+                         LevelContacts::create(lump, lump, settings).value());
     DeepPlay played;
     for (int i = 0; i < n_steps; ++i) {
         const double t = 0.001 * i;
         const Pose X_OT{{0.01 * std::sin(kTurn * t), 2.0 * lump->reach_m() - kDeep_m, 0.0},
                         compute_exp(Vector3(0.2, 0.4 + 0.3 * t, 0.1))};
-        near.clear();
-        played.us.push_back(time_once([&] { finder->find(X_OT, within_m, near); }).own_us);
-        clusters.update(near.all(), X_OT, 0.001);
-        Vector3 force = Vector3::Zero();
-        for (const ContactCluster& cluster : clusters.all()) {
-            force += ClusterForce::kStiffness_N_per_m * cluster.strength *
-                     std::max(cluster.depth_m + within_m, 0.0) * cluster.normal_O;
-        }
-        played.force_N.push_back(force);
-        played.n_left += static_cast<double>(finder->answer().n_left) / n_steps;
-        played.n_coarser += static_cast<double>(finder->answer().n_coarser) / n_steps;
-        played.most_left_m = std::max(played.most_left_m, finder->answer().left_m);
+        played.us.push_back(time_once([&] { contact.find(X_OT); }).own_us);
+        played.force_N.push_back(contact.compute_force_N(X_OT));
+        const auto& answer = contact.finder().answer();
+        played.n_left += static_cast<double>(answer.n_left) / n_steps;
+        played.n_coarser += static_cast<double>(answer.n_coarser) / n_steps;
+        played.most_left_m = std::max(played.most_left_m, answer.left_m);
     }
     return played;
 }

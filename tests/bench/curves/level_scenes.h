@@ -40,7 +40,7 @@ struct SceneLevels {
 /// tool stays outside; with contacts kept from step to step.
 class ClusterForce {
   public:
-    ClusterForce(const LevelScene& scene, std::unique_ptr<LevelContacts> finder);
+    ClusterForce(double within_m, std::unique_ptr<LevelContacts> finder);
     /// Looks for contacts: what is timed.
     void find(const Pose& X_OT);
     /// Of what was found last, newtons.

@@ -1,12 +1,7 @@
 // The map of link_stability.cpp in real time, over sockets of this computer, beside the same walls on simulated lines under one clock.
 #include "tests/support/link_sockets.h"
 
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
-
-#include <algorithm>
-#include <string>
-#include <vector>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -48,10 +43,8 @@ Report run_link_sockets(Run& run) {
     chart.reference = "the same walls under one clock (dashed), as in link-stability";
     chart.advice =
         "What is stable under one clock is so between two threads over sockets as long as both "
-        "keep their "
-        "rounds; look at the lateness in the heading before a difference is believed.";
-    const std::vector<double> delays_ms =
-        run.quick() ? std::vector<double>{0.0, 10.0} : std::vector<double>{0.0, 5.0, 10.0, 20.0};
+        "keep their rounds; look at the lateness in the heading before a difference is believed.";
+    const auto delays_ms = run.pick<std::vector<double>>({0.0, 5.0, 10.0, 20.0}, {0.0, 10.0});
     SocketPace pace;
     double share = 0.0;
     for (const double loss : {0.0, 0.05}) {
@@ -85,10 +78,9 @@ Report run_link_sockets(Run& run) {
     }
     chart.work =
         "As link-stability, in real time: haptic loop and arm's server on threads of their own at "
-        "1 kHz, "
-        "UDP sockets of this computer between them, packets delayed and lost on the way; three "
-        "seconds a "
-        "wall, doubled until the hand is given more than 0.1 J. Rounds of the arm began at most " +
+        "1 kHz, UDP sockets of this computer between them, packets delayed and lost on the way; "
+        "three seconds a wall, doubled until the hand is given more than 0.1 J. Rounds of the arm "
+        "began at most " +
         to_text(1e3 * pace.late_99_s) + " ms late (99 %, worst trial), " +
         std::to_string(pace.misses) + " rounds of both were missed in all.";
     return {chart};

@@ -1,11 +1,7 @@
 // How stiff a wall may be over the arm link, against delay and loss, with and without the link's energy balance; and what the
 // balance costs in force.
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/link_trial.h"
-
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -45,8 +41,7 @@ double find_stiffest(LinkTrial trial) {
 }
 
 std::vector<double> choose_delays_ms(const Run& run) {
-    return run.quick() ? std::vector<double>{0.0, 10.0}
-                       : std::vector<double>{0.0, 2.0, 5.0, 10.0, 20.0, 30.0, 50.0};
+    return run.pick<std::vector<double>>({0.0, 2.0, 5.0, 10.0, 20.0, 30.0, 50.0}, {0.0, 10.0});
 }
 
 struct LossKind {
@@ -60,8 +55,8 @@ LineChart make_link_chart(const std::string& name, const std::string& title) {
     chart.name = "link-" + name;
     chart.title = title;
     chart.work =
-        "A hand on a simulated arm (0.25 kg, 0.2 Ns/m, an encoder's steps of 55 um) wants to be "
-        "10 mm inside a wall F = -K y, four times and then for good, all through haptic loop, link "
+        "A hand on a simulated arm (0.25 kg, 0.2 Ns/m, an encoder's steps of 55 um) wants to be 10 "
+        "mm inside a wall F = -K y, four times and then for good, all through haptic loop, link "
         "and arm's server at 1 kHz under one clock; K is raised by two fifths until the hand is "
         "given more than 0.1 J that it did not give, or a gate trips. Loss is in both ways. Solid: "
         "with the energy balance; dashed: without.";
@@ -80,18 +75,15 @@ LineChart run_stiffest(const Run& run, const std::string& name, const HumanImped
         "below 20 ms, where stiff walls keep their force.";
     for (const LossKind& kind : losses) {
         for (const bool balances : {true, false}) {
-            Line line{kind.name + (balances ? "" : ", no balance"),
-                      balances ? LineStyle::measured : LineStyle::theory,
-                      choose_delays_ms(run),
-                      {}};
-            for (const double delay_ms : line.x) {
-                LinkTrial trial = make_link_trial(1e-3 * delay_ms, hand);
-                trial.faults.loss = kind.loss;
-                trial.faults.burst = kind.burst;
-                trial.balances_energy = balances;
-                line.y.push_back(find_stiffest(trial));
-            }
-            chart.lines.push_back(line);
+            chart.trace(kind.name + (balances ? "" : ", no balance"),
+                        balances ? LineStyle::measured : LineStyle::theory, choose_delays_ms(run),
+                        [&](double delay_ms) {
+                            LinkTrial trial = make_link_trial(1e-3 * delay_ms, hand);
+                            trial.faults.loss = kind.loss;
+                            trial.faults.burst = kind.burst;
+                            trial.balances_energy = balances;
+                            return find_stiffest(trial);
+                        });
         }
     }
     return chart;
@@ -106,15 +98,14 @@ LineChart run_force(const Run& run) {
     chart.y = {"force felt, of the wall's own", "1", false};
     chart.advice = "A wall that a delay makes active is felt softer, not louder.";
     for (const double stiffness : {100.0, 300.0, 900.0}) {
-        Line line{to_text(stiffness) + " N/m", LineStyle::measured, choose_delays_ms(run), {}};
-        for (const double delay_ms : line.x) {
-            LinkTrial trial = make_link_trial(1e-3 * delay_ms, kArm);
-            trial.stiffness_N_per_m = stiffness;
-            const double hand = kArm.stiffness_N_per_m;
-            const double rest_N = trial.press_m * hand * stiffness / (hand + stiffness);
-            line.y.push_back(-run_link_trial(trial).force_N / rest_N);
-        }
-        chart.lines.push_back(line);
+        chart.trace(to_text(stiffness) + " N/m", LineStyle::measured, choose_delays_ms(run),
+                    [&](double delay_ms) {
+                        LinkTrial trial = make_link_trial(1e-3 * delay_ms, kArm);
+                        trial.stiffness_N_per_m = stiffness;
+                        const double hand = kArm.stiffness_N_per_m;
+                        const double rest_N = trial.press_m * hand * stiffness / (hand + stiffness);
+                        return -run_link_trial(trial).force_N / rest_N;
+                    });
     }
     return chart;
 }
@@ -141,18 +132,15 @@ LineChart run_slow_presses(const Run& run) {
         cases.insert(cases.end(), {{500.0, 10}, {1000.0, 10}});
     }
     for (const Case& tried : cases) {
-        Line line{to_text(tried.stiffness_N_per_m) + " N/m, " + std::to_string(tried.presses) +
-                      (tried.presses == 1 ? " press" : " presses"),
-                  LineStyle::measured,
-                  {0.0, 10.0, 20.0, 50.0, 95.0},
-                  {}};
-        for (const double delay_ms : line.x) {
-            LinkTrial trial = make_link_trial(1e-3 * delay_ms, kFingertip);
-            trial.stiffness_N_per_m = tried.stiffness_N_per_m;
-            const LinkCourse course = run_link_trial(with_slow_presses(trial, tried.presses));
-            line.y.push_back(course.linked ? kMilli * course.net_J : kNone);
-        }
-        chart.lines.push_back(line);
+        chart.trace(to_text(tried.stiffness_N_per_m) + " N/m, " + std::to_string(tried.presses) +
+                        (tried.presses == 1 ? " press" : " presses"),
+                    LineStyle::measured, {0.0, 10.0, 20.0, 50.0, 95.0}, [&](double delay_ms) {
+                        LinkTrial trial = make_link_trial(1e-3 * delay_ms, kFingertip);
+                        trial.stiffness_N_per_m = tried.stiffness_N_per_m;
+                        const LinkCourse course =
+                            run_link_trial(with_slow_presses(trial, tried.presses));
+                        return course.linked ? kMilli * course.net_J : kNone;
+                    });
     }
     return chart;
 }
@@ -160,14 +148,11 @@ LineChart run_slow_presses(const Run& run) {
 Report run_link_stability(Run& run) {
     const std::vector<LossKind> losses{
         {"no loss", 0.0, 1}, {"5 % in bursts of 10", 0.05, 10}, {"20 % one by one", 0.2, 1}};
-    Report report;
-    report.emplace_back(run_stiffest(run, "fingertip", kFingertip, losses));
+    LineChart fingertip = run_stiffest(run, "fingertip", kFingertip, losses);
     run.progress(0.5, "another hand");
-    report.emplace_back(run_stiffest(run, "arm", kArm, losses));
+    LineChart arm = run_stiffest(run, "arm", kArm, losses);
     run.progress(0.95, "force");
-    report.emplace_back(run_force(run));
-    report.emplace_back(run_slow_presses(run));
-    return report;
+    return {std::move(fingertip), std::move(arm), run_force(run), run_slow_presses(run)};
 }
 
 const Registration kLinkStability{

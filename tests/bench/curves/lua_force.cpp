@@ -5,14 +5,10 @@
 //   per step    asked at every haptic step: what the program never does, for Lua may stop for milliseconds
 #include "haptics/field/linearised_wrench.h"
 #include "runtime/lua/process/lesson_process.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 
-#include <cmath>
-#include <memory>
-#include <numbers>
 #include <stdexcept>
 
 namespace fulcrum::bench {
@@ -136,19 +132,14 @@ Cost measure_exchange(const Timing& timing) {
     folder.write("lesson.lua", "return lesson { id = \"t\", title = \"T\" }\n");
     runtime::LessonFiles files;
     files.folder = folder.path();
-    const auto process = runtime::LessonProcess::start(files);
-    if (!process) {
-        throw std::runtime_error(to_sentence(process.error()));
-    }
+    const auto process = must(runtime::LessonProcess::start(files));
     double time_s = 0.0;
     return measure_cost(
         [&] {
             runtime::LessonFrame frame;
             frame.time_s = time_s += 0.001;
             frame.dt_s = 0.001;
-            if (const auto reply = (*process)->exchange(frame); !reply) {
-                throw std::runtime_error(to_sentence(reply.error()));
-            }
+            (void)must(process->exchange(frame));
         },
         timing);
 }
@@ -178,19 +169,16 @@ CostPoint make_point(const std::string& series, double rate_Hz, const Rendering&
     const double share = rate_Hz / kHapticRate_Hz;
     const bool linearised = series == "linearised";
     const double evaluations = linearised ? kEvaluations : 1.0;
-    CostPoint p;
-    p.series = series;
-    p.knob = rate_Hz;
-    p.error = rendering.rms_N;
     // What asks at every step would have to do so in the loop's own process.
     const Cost exchange = series == "per step" ? Cost{0.0, 0.0} : prices.exchange;
-    p.cost.median_us = share * (exchange.median_us + evaluations * prices.evaluation_us) +
-                       (linearised ? prices.haptic_linearised.median_us : 0.0);
-    p.cost.p99_us = share * (exchange.p99_us + evaluations * prices.evaluation_p99_us) +
-                    (linearised ? prices.haptic_linearised.p99_us : 0.0);
-    p.cost.bytes = linearised ? prices.haptic_linearised.bytes : sizeof(Wrench);
-    p.extras = {rendering.worst_N, rendering.jump_N};
-    return p;
+    const Cost stage = linearised ? prices.haptic_linearised : Cost{0.0, 0.0, sizeof(Wrench)};
+    return {series,
+            rate_Hz,
+            rendering.rms_N,
+            {share * (exchange.median_us + evaluations * prices.evaluation_us) + stage.median_us,
+             share * (exchange.p99_us + evaluations * prices.evaluation_p99_us) + stage.p99_us,
+             stage.bytes},
+            {rendering.worst_N, rendering.jump_N}};
 }
 
 Report run_lua_force(Run& run) {
@@ -199,14 +187,11 @@ Report run_lua_force(Run& run) {
     curve.title = "A force computed in Lua";
     curve.work =
         "A hand moves through a gaussian well of 200 N/m and 2 cm with 2 Ns/m of drag, 4 cm to and "
-        "fro at 1 Hz, felt at "
-        "1 kHz; the function is asked at the given rate and its answer arrives a step later (per "
-        "step: in the same step). "
-        "Time is that of both processes, spread over the haptic steps: a frame's way to the "
-        "lesson's process and back (not "
-        "for per step, which runs Lua inside the haptic loop) and its evaluations, each a 13th of "
-        "what a frame with the "
-        "function takes longer than one without.";
+        "fro at 1 Hz, felt at 1 kHz; the function is asked at the given rate and its answer "
+        "arrives a step later (per step: in the same step). Time is that of both processes, spread "
+        "over the haptic steps: a frame's way to the lesson's process and back (not for per step, "
+        "which runs Lua inside the haptic loop) and its evaluations, each a 13th of what a frame "
+        "with the function takes longer than one without.";
     curve.reference = "analytic: the well's own force at each haptic step";
     curve.knob = {"rate of the Lua function", "Hz", true};
     curve.error = {"force error, rms", "N", true};
@@ -215,10 +200,9 @@ Report run_lua_force(Run& run) {
     curve.default_knob = 62.5;
     curve.advice =
         "A lesson's frames come 60 times a second anyway: there the linearised answer is four "
-        "times as exact as the held one "
-        "and jumps a hundredth as much from step to step. Asking in every step is exact and cheap "
-        "in the mean, but puts Lua's "
-        "pauses into the loop that must never wait, so the program does not offer it.";
+        "times as exact as the held one and jumps a hundredth as much from step to step. Asking in "
+        "every step is exact and cheap in the mean, but puts Lua's pauses into the loop that must "
+        "never wait, so the program does not offer it.";
     const double seconds = run.pick(10.0, 2.0);
     const Prices prices = measure_prices(run);
     const std::vector<double> rates_Hz{15.625, 31.25, 62.5, 125.0, 250.0, 500.0};

@@ -2,17 +2,9 @@
 // the error of the gap, where that is known in closed form.
 #include "haptics/collision/sampled_contacts.h"
 #include "haptics/geometry/shape.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -108,8 +100,7 @@ Report run_mesh_contacts(Run& run) {
 
 const Registration kMeshContacts{
     {"mesh-contacts",
-     "a ball on a ring of triangles: cells and places against the error "
-     "of the gap and time",
+     "a ball on a ring of triangles: cells and places against the error of the gap and time",
      run_mesh_contacts}};
 
 }  // namespace

@@ -58,6 +58,11 @@ Expected<TriangleMesh> read_obj(const std::string& text, const std::string& wher
     return TriangleMesh::build(std::move(vertices), std::move(triangles), {}, where);
 }
 
+TriangleMesh make_scaled(const TriangleMesh& mesh, double scale) {
+    const Vector3 middle = 0.5 * (mesh.lower_B() + mesh.upper_B());
+    return make_changed(mesh, [&](const Vector3& v) -> Vector3 { return scale * (v - middle); });
+}
+
 Expected<TriangleMesh> load_mesh_file(const std::string& file) {
     const std::string ending = std::filesystem::path(file).extension();
     if (ending == ".glb" || ending == ".gltf") {

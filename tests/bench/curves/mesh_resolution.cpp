@@ -10,21 +10,14 @@
 #include "haptics/point/god_object.h"
 #include "runtime/scene/shape_models.h"
 #include "tests/bench/curves/felt_surface.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
 
 namespace fulcrum::bench {
 namespace {
 
 constexpr double kRing_m = 0.2;  // of the middle of the tube
-constexpr int kWarmUp = 300;
 
 // The same speed over the tube; the course bends by chance.
 Course wander_on_ring(int n_steps) {
@@ -54,19 +47,16 @@ CostPoint measure(const std::string& series, const Expected<TriangleMesh>& mesh,
                   const Course& course) {
     const auto solid = touchable(mesh);
     GodObject proxy(only_solid(solid));
-    press(proxy, course.front());
-    const SurfaceErrors errors = find_errors(course, [&](const Vector3& hand_W) {
-        const ProxyContact& contact = proxy.step(hand_W, {});
-        return Felt{kStiffness_N_per_m * (contact.position_W - hand_W), contact.normal_W,
-                    contact.solid != kNoBody};
-    });
-    press(proxy, course.front());
-    std::size_t next = 0;
-    const Cost cost = measure_cost(
-        [&] { keep(proxy.step(course[next++].hand_W, {})); },
-        {.samples = static_cast<int>(course.size()) - kWarmUp, .batch = 1, .warm_up = kWarmUp},
-        solid->memory_bytes());
-    return make_point(series, solid->n_triangles(), errors, cost);
+    const auto restart = [&] { press(proxy, course.front()); };
+    restart();
+    return measure_felt(
+        series, solid->n_triangles(), course, solid->memory_bytes(),
+        [&](const Vector3& hand_W) {
+            const ProxyContact& contact = proxy.step(hand_W, {});
+            return Felt{kStiffness_N_per_m * (contact.position_W - hand_W), contact.normal_W,
+                        contact.solid != kNoBody};
+        },
+        restart);
 }
 
 constexpr std::size_t kDirectionColumn = 2;
@@ -96,8 +86,7 @@ CostCurve measure_curve(Run& run) {
         "makes 1 N of it.";
     curve.reference =
         "analytic: stiffness times depth along the normal of the true surface; the error is that "
-        "of "
-        "the force's magnitude, root mean square over all steps";
+        "of the force's magnitude, root mean square over all steps";
     curve.advice =
         "Take the coarsest mesh whose direction error can't be felt: four times the triangles "
         "quarter the error in newtons but only halve that in degrees, and each factor of ten costs "
@@ -113,15 +102,13 @@ CostCurve measure_curve(Run& run) {
     const Course on_ring = wander_on_ring(n_steps);
     const std::vector<int> frequencies = ball_frequencies(run.quick());
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
-        run.progress(0.5 * static_cast<double>(i) / static_cast<double>(frequencies.size()),
-                     "ball");
+        run.progress(i, 2 * frequencies.size(), "ball");
         curve.points.push_back(measure("ball", make_sphere(kRadius_m, frequencies[i]), on_ball));
     }
     const std::vector<int> rounds =
         run.pick<std::vector<int>>({5, 9, 16, 28, 54, 89, 158, 282, 500}, {5, 16, 54, 158});
     for (std::size_t i = 0; i < rounds.size(); ++i) {
-        run.progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(rounds.size()),
-                     "ring");
+        run.progress(rounds.size() + i, 2 * rounds.size(), "ring");
         curve.points.push_back(
             measure("ring", make_torus(kRing_m, kRadius_m, 2 * rounds[i], rounds[i]), on_ring));
     }
@@ -137,18 +124,12 @@ LineChart draw_against_triangles(const CostCurve& curve,
     chart.work = curve.work;
     chart.x = curve.knob;
     for (const std::string series : {"ball", "ring"}) {
-        Line line{series, LineStyle::measured, {}, {}};
-        for (const CostPoint& point : curve.points) {
-            if (point.series == series) {
-                line.x.push_back(point.knob);
-                line.y.push_back(quantity(point));
-            }
-        }
-        chart.lines.push_back(std::move(line));
+        chart.draw(
+            series, curve.points, [&](const CostPoint& point) { return point.series == series; },
+            [](const CostPoint& point) { return point.knob; }, quantity);
     }
-    Line law{"theory for the ball", LineStyle::theory, chart.lines.front().x, {}};
-    std::ranges::transform(law.x, std::back_inserter(law.y), theory);
-    chart.lines.push_back(std::move(law));
+    const std::vector<double> on_ball = chart.lines.front().x;
+    chart.trace("theory for the ball", LineStyle::theory, on_ball, theory);
     return chart;
 }
 

@@ -3,16 +3,8 @@
 // is found anew before each step, which is timed apart.
 #include "haptics/math/dense.h"
 #include "haptics/math/rotation.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/tool_scene.h"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -108,39 +100,32 @@ Cost time_solve(int n_steps) {
         }
     }
     const Vector6 b = Vector6::Ones();
-    std::vector<double> us;
-    time_batches([&] { keep(solve_lu(A, b)); }, {.samples = n_steps}, us);
-    return summarise(std::move(us));
+    return measure_cost([&] { keep(solve_lu(A, b)); }, {.samples = n_steps});
 }
 
 Report run_penalty_step(Run& run) {
     Sheet sheet{
         "penalty-step",
         "A step of the implicit tool, by how many clusters of contact hold it",
-        "A block of 10 g on 500 N/m pressed 3 mm into another, slid, turned and tilted at up to "
-        "15 cm/s. Contact is found anew before each step, as by a contact thread. Processor time "
-        "of each step and of each round of contact, with one solve a step and with up to four. The "
+        "A block of 10 g on 500 N/m pressed 3 mm into another, slid, turned and tilted at up to 15 "
+        "cm/s. Contact is found anew before each step, as by a contact thread. Processor time of "
+        "each step and of each round of contact, with one solve a step and with up to four. The "
         "last row is one solve of six equations alone.",
         "Ten clusters are enough for a tool that lies flat; twenty cost a microsecond more.",
-        {},
-        {}};
-    sheet.columns = {"clusters, mean", "solves allowed",  "solves a step", "step median us",
-                     "step 99 % us",   "round median us", "round 99 % us"};
+        {"clusters, mean", "solves allowed", "solves a step", "step median us", "step 99 % us",
+         "round median us", "round 99 % us"}};
     const int n_steps = static_cast<int>(run.pick(20000.0, 2000.0));
-    const auto rounded = [](double value) { return to_text(std::round(100.0 * value) / 100.0); };
     for (const int most : {1, 3, 5, 10, 20, 32}) {
         for (const int newton : {1, 4}) {
             const Found found = time_steps(most, newton, n_steps);
-            sheet.rows.push_back({rounded(found.n_clusters), to_text(newton),
-                                  rounded(found.n_solves), to_text(found.cost.median_us),
-                                  to_text(found.cost.p99_us), to_text(found.round.median_us),
-                                  to_text(found.round.p99_us)});
+            sheet.add({rounded(found.n_clusters, 2), newton, rounded(found.n_solves, 2),
+                       found.cost.median_us, found.cost.p99_us, found.round.median_us,
+                       found.round.p99_us});
         }
         run.progress(most / 32.0, std::to_string(most) + " clusters");
     }
     const Cost solve = time_solve(n_steps);
-    sheet.rows.push_back(
-        {"a solve alone", "", "1", to_text(solve.median_us), to_text(solve.p99_us), "", ""});
+    sheet.add({"a solve alone", "", "1", solve.median_us, solve.p99_us, "", ""});
     return {sheet};
 }
 

@@ -1,19 +1,12 @@
 // Where the planets are, by scripts/lib/planets.lua: what each of its methods errs by over 1800 to 2050, and what it costs in
 // Lua.
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -167,21 +160,15 @@ Report run_planets(Run& run) {
     curve.default_knob = 3;
     curve.advice =
         "The changing elements cost little more than the fixed ellipse, for Kepler's equation "
-        "takes "
-        "most of the time; both put a planet where the eye looks for it, and a circle does not: "
-        "Mercury is up to 24 degrees off.";
+        "takes most of the time; both put a planet where the eye looks for it, and a circle does "
+        "not: Mercury is up to 24 degrees off.";
     curve.time_is_per = "place";
     for (const char* method : kMethods) {
         for (std::size_t i = 0; i < kPlanets.size(); ++i) {
             run.progress(static_cast<double>(curve.points.size()) / 24.0, method);
             const Errors errors = compute_errors(known, kPlanets[i], method);
-            CostPoint point;
-            point.series = method;
-            point.knob = static_cast<double>(i + 1);
-            point.error = errors.worst_deg;
-            point.cost = measure_place(run, kPlanets[i], method);
-            point.extras = {errors.rms_deg};
-            curve.points.push_back(point);
+            curve.add(method, static_cast<double>(i + 1), errors.worst_deg,
+                      measure_place(run, kPlanets[i], method), {errors.rms_deg});
         }
     }
     return {curve};

@@ -2,15 +2,10 @@
 // same machine, and how long a large database takes to open. TMPDIR chooses the disk.
 #include "haptics/base/clock.h"
 #include "runtime/progress/sqlite/sqlite_store.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/scratch_folder.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -20,17 +15,6 @@ using Synchronous = SqliteStoreOptions::Synchronous;
 
 constexpr int kCommits = 200;           // of each kind, a round
 constexpr int kLargeAttempts = 20'000;  // a class of 30 for a school year
-
-// Ends the benchmark with one sentence when something that must work did not.
-template <class T>
-T must(Expected<T> result) {
-    if (!result) {
-        throw std::runtime_error(to_sentence(result.error()));
-    }
-    if constexpr (!std::is_void_v<T>) {
-        return std::move(*result);
-    }
-}
 
 AttemptRecord attempt_in(const RecordId& session, int number) {
     AttemptRecord attempt;
@@ -85,11 +69,11 @@ void compare_commits(Sheet& sheet, const ScratchFolder& folder, int rounds) {
         normal_rates.push_back(commits_per_s(*normal, normal_session));
         ratios.push_back(normal_rates.back() / full_rates.back());
     }
-    sheet.rows.push_back({"commits, synchronous=FULL (the default)", to_text(median(full_rates)),
-                          "a second", "nothing"});
-    sheet.rows.push_back({"commits, synchronous=NORMAL", to_text(median(normal_rates)), "a second",
-                          "what the disk had not written yet"});
-    sheet.rows.push_back({"NORMAL against FULL", to_text(median(ratios)), "times as fast", ""});
+    sheet.add(
+        {"commits, synchronous=FULL (the default)", median(full_rates), "a second", "nothing"});
+    sheet.add({"commits, synchronous=NORMAL", median(normal_rates), "a second",
+               "what the disk had not written yet"});
+    sheet.add({"NORMAL against FULL", median(ratios), "times as fast", ""});
 }
 
 void time_large(Sheet& sheet, const ScratchFolder& folder, int attempts, int rounds) {
@@ -112,25 +96,22 @@ void time_large(Sheet& sheet, const ScratchFolder& folder, int attempts, int rou
         read_ms.push_back(1e3 * (monotonic_now_s() - opened_s));
     }
     const std::string of = " of " + std::to_string(attempts) + " attempts";
-    sheet.rows.push_back({"size" + of,
-                          to_text(1e-6 * static_cast<double>(std::filesystem::file_size(path))),
-                          "MB", ""});
-    sheet.rows.push_back({"open and check" + of, to_text(median(open_ms)), "ms", ""});
-    sheet.rows.push_back({"read all" + of, to_text(median(read_ms)), "ms", ""});
+    sheet.add(
+        {"size" + of, 1e-6 * static_cast<double>(std::filesystem::file_size(path)), "MB", ""});
+    sheet.add({"open and check" + of, median(open_ms), "ms", ""});
+    sheet.add({"read all" + of, median(read_ms), "ms", ""});
 }
 
 Report run_progress(Run& run) {
-    Sheet sheet;
-    sheet.name = "progress";
-    sheet.title = "Keeping progress";
-    sheet.work = "Attempts with two errors each are committed one by one, " +
-                 std::to_string(kCommits) +
-                 " of either kind in turn; medians of the rounds. Then a school year of a class is "
-                 "opened and read.";
-    sheet.advice =
+    Sheet sheet{
+        "progress",
+        "Keeping progress",
+        "Attempts with two errors each are committed one by one, " + std::to_string(kCommits) +
+            " of either kind in turn; medians of the rounds. Then a school year of a class is "
+            "opened and read.",
         "Keep FULL: even the slower kind commits far more often than a class can answer, and a "
-        "power cut takes nothing.";
-    sheet.columns = {"what", "median", "unit", "a power cut may take"};
+        "power cut takes nothing.",
+        {"what", "median", "unit", "a power cut may take"}};
     const ScratchFolder folder;
     compare_commits(sheet, folder, run.pick(11, 1));
     run.progress(0.5, "a large database");

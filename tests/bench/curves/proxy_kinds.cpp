@@ -8,26 +8,17 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/make_proxy.h"
 #include "haptics/point/plane_constraints.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/curves/bumpy_way.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/touchable.h"
-#include "tests/support/wander.h"
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 
 namespace fulcrum::bench {
 namespace {
 
-constexpr double kDepth = 0.02;
 constexpr double kRadius = 0.02;      // of the cursor that is a ball
 constexpr double kHalfSide = 0.0115;  // of the cube within that ball
-constexpr double kHeight = 0.03;
-constexpr double kBumps = 20.0;
-constexpr double kCrack = 1.0e-4;  // of the body's radius
-constexpr int kWarmUp = 200;
+constexpr double kCrack = 1.0e-4;     // of the body's radius
 constexpr int kSlides = 20;
 constexpr double kFriction = 0.3;
 
@@ -42,19 +33,11 @@ struct Kind {
 struct Figures {
     std::string kind;
     double n_triangles = 0.0;
-    double median_us = kNone;
-    double p99_us = kNone;
+    Cost cost{};
     double error = kNone;       // radii
     double snag_share = kNone;  // of steps
     double leak_share = kNone;  // of slides
 };
-
-double bumpy_radius(const Vector3& u) {
-    return 1.0 +
-           kHeight *
-               (std::sin(kBumps * u.x()) + std::sin(kBumps * u.y()) + std::sin(kBumps * u.z())) /
-               3.0;
-}
 
 std::unique_ptr<Proxy> make(const Kind& kind, const std::shared_ptr<const CollisionMesh>& mesh) {
     SolidPlan solid{.body = 0, .shape = mesh};
@@ -62,37 +45,16 @@ std::unique_ptr<Proxy> make(const Kind& kind, const std::shared_ptr<const Collis
     return make_proxy(kind.settings, {solid}, {});
 }
 
-double now_us() {
-    return std::chrono::duration<double, std::micro>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
 void measure_steps(const Kind& kind, const std::shared_ptr<const CollisionMesh>& mesh, int n_steps,
                    int n_passes, Figures& figures) {
-    std::vector<double> least_us(static_cast<std::size_t>(n_steps), HUGE_VAL);
     int n_snagged = 0;
     const auto proxy = make(kind, mesh);
-    for (int pass = 0; pass < n_passes; ++pass) {
-        Wanderer wanderer(1);
-        for (std::size_t i = 0; i < least_us.size(); ++i) {
-            const Vector3& u = wanderer.next();
-            const Vector3 hand = u * (bumpy_radius(u) + kind.radius - kDepth);
-            if (i == 0) {
-                proxy->reset(1.1 * hand);
-            }
-            const double begin_us = now_us();
-            const ProxyContact& contact = proxy->step(hand, {});
-            least_us[i] = std::min(least_us[i], now_us() - begin_us);
-            const bool is_far = (contact.position_W - hand).norm() > 3.0 * kDepth;
-            n_snagged += pass == 0 && i >= kWarmUp && is_far ? 1 : 0;
-        }
-    }
-    least_us.erase(least_us.begin(), least_us.begin() + kWarmUp);
-    std::ranges::sort(least_us);
-    figures.median_us = least_us[least_us.size() / 2];
-    figures.p99_us = least_us[least_us.size() * 99 / 100];
-    figures.snag_share = n_snagged / static_cast<double>(n_steps - kWarmUp);
+    figures.cost = measure_passes(
+        *proxy, make_hands(n_steps, Wanderer::kStep, kind.radius), n_passes,
+        [&](const ProxyContact& contact, const Vector3& hand, bool is_warm) {
+            n_snagged += is_warm && (contact.position_W - hand).norm() > 3.0 * kPressedIn ? 1 : 0;
+        });
+    figures.snag_share = n_snagged / static_cast<double>(n_steps - kWarmSteps);
 }
 
 // The plane that the place is furthest behind, of all faces of a convex body seen from inside; a zero normal when it is behind none.
@@ -142,7 +104,7 @@ double measure_error(const Kind& kind, const std::shared_ptr<const CollisionMesh
     proxy->reset(0.7 * wanderer.next());
     double worst = 0.0;
     for (int i = 0; i < n_places * kBetween; ++i) {
-        const Vector3 hand = wanderer.next() * (1.0 - kind.radius + kDepth);
+        const Vector3 hand = wanderer.next() * (1.0 - kind.radius + kPressedIn);
         const Vector3& at = proxy->step(hand, {}).position_W;
         if (i % kBetween == kBetween - 1) {
             worst = std::max(worst, (at - find_nearest_within(*mesh, kind.radius, hand)).norm());
@@ -187,37 +149,26 @@ LineChart draw(const std::vector<Figures>& all, const std::vector<Kind>& kinds) 
     chart.x = {"triangles", "", true};
     chart.y = {"time a step", "µs", true};
     for (const Kind& kind : kinds) {
-        Line line{kind.name, LineStyle::measured, {}, {}};
-        for (const Figures& one : all) {
-            if (one.kind == kind.name) {
-                line.x.push_back(one.n_triangles);
-                line.y.push_back(one.median_us);
-            }
-        }
-        chart.lines.push_back(std::move(line));
+        chart.draw(
+            kind.name, all, [&](const Figures& one) { return one.kind == kind.name; },
+            [](const Figures& one) { return one.n_triangles; },
+            [](const Figures& one) { return one.cost.median_us; });
     }
     return chart;
 }
 
 Sheet list(const std::vector<Figures>& all, const LineChart& chart) {
-    Sheet sheet;
-    sheet.name = "proxy-kinds";
-    sheet.title = "The proxies against each other";
-    sheet.work = chart.work +
-                 " Error inside a smooth ball against the nearest place of all faces, where "
-                 "nothing rubs; leaks along cracks of 1e-4 of the radius, not welded.";
-    sheet.advice = chart.advice;
-    sheet.columns = {"triangles",
-                     "proxy",
-                     "median µs",
-                     "99 % µs",
-                     "error, radii",
-                     "snagged share of steps",
-                     "leaked share of slides"};
+    Sheet sheet{"proxy-kinds",
+                "The proxies against each other",
+                chart.work +
+                    " Error inside a smooth ball against the nearest place of all faces, where "
+                    "nothing rubs; leaks along cracks of 1e-4 of the radius, not welded.",
+                chart.advice,
+                {"triangles", "proxy", "median µs", "99 % µs", "error, radii",
+                 "snagged share of steps", "leaked share of slides"}};
     for (const Figures& one : all) {
-        sheet.rows.push_back({to_text(one.n_triangles), one.kind, to_text(one.median_us),
-                              to_text(one.p99_us), to_text(one.error), to_text(one.snag_share),
-                              to_text(one.leak_share)});
+        sheet.add({one.n_triangles, one.kind, one.cost.median_us, one.cost.p99_us, one.error,
+                   one.snag_share, one.leak_share});
     }
     return sheet;
 }
@@ -241,7 +192,7 @@ Report run_proxy_kinds(Run& run) {
     std::vector<Figures> all;
     double done = 0.0;
     for (const int frequency : frequencies) {
-        const auto bumpy = touchable(make_bumpy_sphere(1.0, frequency, kHeight, kBumps));
+        const auto bumpy = touchable(make_bumpy_sphere(1.0, frequency, kBumpHeight, kBumpsRound));
         const auto smooth = touchable(make_sphere(1.0, frequency));
         for (const Kind& kind : kinds) {
             Figures figures{kind.name, static_cast<double>(bumpy->n_triangles())};

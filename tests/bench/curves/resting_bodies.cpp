@@ -2,15 +2,7 @@
 //
 // The two take turns; each keeps the least of its medians, for what the machine does besides only adds.
 #include "haptics/dynamics/world_loop.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -67,21 +59,18 @@ Report run_resting_bodies(Run& run) {
         run.pick<std::vector<int>>({1, 2, 4, 8, 16, 32, 48, kMaxBodies}, {1, 4, 16, kMaxBodies});
     const int n_passes = run.pick(9, 3);
     const int n_batches = run.pick(400, 100);
-    Line rest{"at rest", LineStyle::measured, {}, {}};
-    Line fall{"falling", LineStyle::measured, {}, {}};
+    Line rest{"at rest"};
+    Line fall{"falling"};
     for (const int n : numbers) {
-        run.progress(static_cast<double>(rest.x.size()) / static_cast<double>(numbers.size()),
-                     std::to_string(n) + " bodies");
+        run.progress(rest.x.size(), numbers.size(), std::to_string(n) + " bodies");
         double rest_us = HUGE_VAL;
         double fall_us = HUGE_VAL;
         for (int pass = 0; pass < n_passes; ++pass) {
             rest_us = std::min(rest_us, Scene(n, WorldCommand::Kind::place).measure(n_batches));
             fall_us = std::min(fall_us, Scene(n, WorldCommand::Kind::drop).measure(n_batches));
         }
-        rest.x.push_back(n);
-        rest.y.push_back(rest_us);
-        fall.x.push_back(n);
-        fall.y.push_back(fall_us);
+        rest.add(n, rest_us);
+        fall.add(n, fall_us);
     }
     LineChart chart;
     chart.name = "resting-bodies";
@@ -91,12 +80,12 @@ Report run_resting_bodies(Run& run) {
         "publishes. All bodies lie where they were placed, or all fall.";
     chart.reference = "as many bodies that fall";
     chart.advice =
-        "Place as many bodies as the scene wants: at rest a round grows as the number "
-        "of bodies to the power of " +
-        to_text(std::round(100.0 * find_growth(rest)) / 100.0 + 0.0) + ", falling " +
-        to_text(std::round(100.0 * find_growth(fall)) / 100.0 + 0.0) + "; " +
-        std::to_string(kMaxBodies) + " at rest cost a " +
-        to_text(std::round(fall.y.back() / rest.y.back())) + "th of as many falling.";
+        "Place as many bodies as the scene wants: at rest a round grows as the number of bodies to "
+        "the power of " +
+        to_text(rounded(find_growth(rest), 2)) + ", falling " +
+        to_text(rounded(find_growth(fall), 2)) + "; " + std::to_string(kMaxBodies) +
+        " at rest cost a " + to_text(std::round(fall.y.back() / rest.y.back())) +
+        "th of as many falling.";
     chart.x = {"bodies", "", true};
     chart.y = {"time a round", "µs", true};
     chart.lines = {std::move(rest), std::move(fall)};
@@ -104,8 +93,8 @@ Report run_resting_bodies(Run& run) {
 }
 
 const Registration kRestingBodies{{"resting-bodies",
-                                   "a round of the world against the number of bodies at rest, "
-                                   "and falling",
+                                   "a round of the world against the number of bodies at rest, and "
+                                   "falling",
                                    run_resting_bodies}};
 
 }  // namespace

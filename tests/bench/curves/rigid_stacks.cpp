@@ -2,16 +2,10 @@
 // grows. Nothing sleeps.
 #include "tests/bench/curves/rigid_stacks.h"
 
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/rigid_worlds.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <memory>
 
 namespace fulcrum::bench {
 namespace {
@@ -24,6 +18,13 @@ RigidWorldPlan make_bare_plan() {
     plan.bodies.push_back({.role = BodyRole::ground,
                            .static_friction = kStackFriction,
                            .dynamic_friction = kStackFriction});
+    return plan;
+}
+
+RigidWorldPlan make_weightless_plan() {
+    RigidWorldPlan plan;
+    plan.settings.gravity_W.setZero();
+    plan.settings.sleep_after_s = 0.0;
     return plan;
 }
 
@@ -49,7 +50,7 @@ RigidWorldPlan make_plan(const StackScene& scene) {
 
 class FulcrumStack final : public StackEngine {
   public:
-    explicit FulcrumStack(const StackScene& scene) : world_(make_rigid_world(make_plan(scene))) {
+    explicit FulcrumStack(const RigidWorldPlan& plan) : world_(make_rigid_world(plan)) {
         world_->prepare(kStackStep_s);
     }
     void step() override { world_->step(kStackStep_s); }
@@ -62,6 +63,7 @@ class FulcrumStack final : public StackEngine {
     void throw_from(int box, const Vector3& at_W, const Vector3& velocity_W) override {
         world_->place(box + 1, Pose::at(at_W), {velocity_W, Vector3::Zero()});
     }
+    [[nodiscard]] RigidWorld& world() { return *world_; }
 
   private:
     std::unique_ptr<RigidWorld> world_;
@@ -69,14 +71,10 @@ class FulcrumStack final : public StackEngine {
 
 template <class Step>
 std::vector<double> time_steps(int n_steps, Step step) {
-    using Clock = std::chrono::steady_clock;
     std::vector<double> us;
     us.reserve(static_cast<std::size_t>(n_steps));
     for (int i = 0; i < n_steps; ++i) {
-        const auto before = Clock::now();
-        step(i);
-        const std::chrono::duration<double, std::micro> took = Clock::now() - before;
-        us.push_back(took.count());
+        us.push_back(time_by_clock_us([&] { step(i); }));
     }
     return us;
 }
@@ -127,7 +125,7 @@ StackScene make_wall() {
 }
 
 std::unique_ptr<StackEngine> make_fulcrum_stack(const StackScene& scene) {
-    return std::make_unique<FulcrumStack>(scene);
+    return std::make_unique<FulcrumStack>(make_plan(scene));
 }
 
 std::vector<CostPoint> measure_stacks(const std::string& name, const MakeStackEngine& make,
@@ -166,58 +164,34 @@ CostCurve measure_standing(Run& run) {
 struct Course {
     std::string name;
     RigidWorldPlan plan;
-    std::function<void(RigidWorld&, int)> disturb;
+    std::function<void(FulcrumStack&, int)> disturb;
 };
 
+// Those that other engines are put to, but for what only stands, and what only ours is asked.
 std::vector<Course> make_courses() {
-    const auto leave = [](RigidWorld&, int) {};
-    std::vector<Course> courses{{"10 at rest", make_plan(make_stack(10)), leave}};
-    courses.push_back({"10 dropped 5 mm apart", make_plan(make_stack(10, 1.0, 0.005)), leave});
-    courses.push_back(
-        {"10, one after the other hit sideways by 15 N for 5 ms", make_plan(make_stack(10)),
-         [](RigidWorld& world, int i) {
-             if (i % 500 < 5) {
-                 const double side = i / 500 % 2 == 0 ? 1.0 : -1.0;
-                 world.push(10 - i / 500 % 10, {{15.0 * side, 0.0, 0.0}, {0.0, 0.0, 0.0}});
-             }
-         }});
-    Course thrown{"10, and a cube that falls on them from 1 m each second",
-                  make_plan(make_stack(10)), [](RigidWorld& world, int i) {
-                      if (i % 1000 == 999) {
-                          world.place(11, Pose::at({0.02, 2.0, 0.01}), {});
-                      }
-                  }};
-    add_cube(thrown.plan, {0.02, 2.0, 0.01});
-    courses.push_back(std::move(thrown));
-    Course wall{"a wall of 100 bricks", make_plan(make_wall()), leave};
-    courses.push_back(wall);
-    wall.name = "the wall, hit by 2 kg at 3 m/s";
-    add_box(wall.plan, {.mass_kg = 2.0, .at_W = {0.93, 0.53, 5.0}});
-    wall.disturb = [](RigidWorld& world, int i) {
-        if (i == 100) {
-            world.place(101, Pose::at({0.93, 0.53, 0.4}), {{0.0, 0.3, -3.0}, {0.0, 0.0, 0.0}});
+    std::vector<Course> courses;
+    for (EngineCourse& course : make_engine_courses()) {
+        if (!course.name.starts_with("20 ")) {
+            courses.push_back({course.name, make_plan(course.scene), course.disturb});
         }
-    };
-    courses.push_back(std::move(wall));
+    }
     return courses;
 }
 
 // Every 20 steps all bodies are where they began, as fast.
-std::function<void(RigidWorld&, int)> begin_again(const RigidWorldPlan& plan) {
-    return [bodies = plan.bodies](RigidWorld& world, int i) {
+std::function<void(FulcrumStack&, int)> begin_again(const RigidWorldPlan& plan) {
+    return [bodies = plan.bodies](FulcrumStack& stack, int i) {
         for (std::size_t body = 0; i % 20 == 0 && body < bodies.size(); ++body) {
             if (bodies[body].role == BodyRole::moves) {
-                world.place(static_cast<std::int32_t>(body), bodies[body].pose_W,
-                            bodies[body].velocity_W);
+                stack.world().place(static_cast<std::int32_t>(body), bodies[body].pose_W,
+                                    bodies[body].velocity_W);
             }
         }
     };
 }
 
 Course make_passing(const std::string& name, double speed_m_per_s) {
-    Course course{name, {}, {}};
-    course.plan.settings.gravity_W.setZero();
-    course.plan.settings.sleep_after_s = 0.0;
+    Course course{name, make_weightless_plan(), {}};
     for (int i = 0; i < 64; ++i) {
         const double way = i / 8 % 2 == 0 ? 1.0 : -1.0;
         course.plan.bodies.push_back(
@@ -232,9 +206,8 @@ Course make_passing(const std::string& name, double speed_m_per_s) {
 
 // Each hits one that stands before a wall, which is farther than anybody had looked for.
 Course make_held_back() {
-    Course course{"8 balls that are hit by others at 100 m/s before a wall", {}, {}};
-    course.plan.settings.gravity_W.setZero();
-    course.plan.settings.sleep_after_s = 0.0;
+    Course course{
+        "8 balls that are hit by others at 100 m/s before a wall", make_weightless_plan(), {}};
     for (int i = 0; i < 8; ++i) {
         for (const double side : {0.0, 1.0}) {
             course.plan.bodies.push_back({.shape = SphereShape{0.02},
@@ -252,9 +225,7 @@ Course make_held_back() {
 }
 
 Course make_chain(const std::string& name, double spin_rad_per_s) {
-    Course course{name, {}, [](RigidWorld&, int) {}};
-    course.plan.settings.gravity_W.setZero();
-    course.plan.settings.sleep_after_s = 0.0;
+    Course course{name, make_weightless_plan(), [](FulcrumStack&, int) {}};
     for (int i = 0; i < 10; ++i) {
         const double at_m = 0.1 * i - 0.45;
         course.plan.bodies.push_back(
@@ -280,7 +251,8 @@ std::vector<Course> make_costly_courses() {
                                 make_chain("a chain of 10 that goes round at 30 rad/s", 30.0),
                                 make_chain("a chain of 10 that goes round at 300 rad/s", 300.0)};
     courses.push_back({"10 at rest, each gripped by a hand", make_plan(make_stack(10)),
-                       [](RigidWorld& world, int) {
+                       [](FulcrumStack& stack, int) {
+                           RigidWorld& world = stack.world();
                            for (std::int32_t cube = 1; cube <= 10; ++cube) {
                                BodyHold hold{.at_W = world.shape_pose_W(cube).position};
                                hold.slopes = {600.0, 5.0, 0.5, 0.01, 0.04};
@@ -292,49 +264,39 @@ std::vector<Course> make_costly_courses() {
 }
 
 Sheet measure_courses(Run& run) {
-    Sheet sheet;
-    sheet.name = "rigid-courses";
-    sheet.title =
-        "Steps of stacks that are left alone, dropped and hit, and of what is looked ahead for";
-    sheet.work =
+    Sheet sheet{
+        "rigid-courses",
+        "Steps of stacks that are left alone, dropped and hit, and of what is looked ahead for",
         "The same cubes, and what flies, hits, goes round or is held, at 1 ms a step, collision "
-        "detection included, one thread, nothing sleeps.";
-    sheet.advice = "Worst steps are those of this machine too, which is interrupted now and then.";
-    sheet.columns = {"course",     "median µs",   "99 % µs",   "worst µs",
-                     "deepest mm", "unconverged", "held back", "in parts"};
+        "detection included, one thread, nothing sleeps.",
+        "Worst steps are those of this machine too, which is interrupted now and then.",
+        {"course", "median µs", "99 % µs", "worst µs", "deepest mm", "unconverged", "held back",
+         "in parts"}};
     const int n_steps = run.pick(5000, 500);
     std::vector<Course> courses = make_courses();
     std::ranges::move(make_costly_courses(), std::back_inserter(courses));
     for (const Course& course : courses) {
         run.progress(0.5, course.name);
-        const auto world = make_rigid_world(course.plan);
-        world->prepare(kStackStep_s);
+        FulcrumStack stack(course.plan);
         double deepest_m = 0.0;
         int n_unconverged = 0;
         int n_held = 0;
         int n_in_parts = 0;
         std::vector<double> us = time_steps(n_steps, [&](int i) {
-            course.disturb(*world, i);
-            world->step(kStackStep_s);
-            deepest_m = std::max(deepest_m, world->report().deepest_m);
-            n_unconverged += world->report().n_unconverged;
-            n_held += world->report().n_held;
-            n_in_parts += world->report().n_in_parts;
+            course.disturb(stack, i);
+            stack.step();
+            const auto& report = stack.world().report();
+            deepest_m = std::max(deepest_m, report.deepest_m);
+            n_unconverged += report.n_unconverged;
+            n_held += report.n_held;
+            n_in_parts += report.n_in_parts;
         });
         const double worst_us = *std::max_element(us.begin(), us.end());
         const Cost cost = summarise(std::move(us));
-        const auto shown = [](double value) { return to_text(std::round(100.0 * value) / 100.0); };
-        sheet.rows.push_back({course.name, shown(cost.median_us), shown(cost.p99_us),
-                              shown(worst_us), to_text(1.0e3 * deepest_m),
-                              std::to_string(n_unconverged), std::to_string(n_held),
-                              std::to_string(n_in_parts)});
+        sheet.add({course.name, rounded(cost.median_us, 2), rounded(cost.p99_us, 2),
+                   rounded(worst_us, 2), 1.0e3 * deepest_m, n_unconverged, n_held, n_in_parts});
     }
     return sheet;
-}
-
-// p of time ~ x^p between the first and the last.
-double find_power(const Line& line) {
-    return std::log(line.y.back() / line.y.front()) / std::log(line.x.back() / line.x.front());
 }
 
 LineChart measure_growth(Run& run) {
@@ -343,8 +305,8 @@ LineChart measure_growth(Run& run) {
     chart.title = "A step of the world against its bodies";
     chart.work =
         "Cubes at rest at 1 ms a step, four contacts each: in one stack, in stacks of five, and "
-        "each "
-        "alone on the ground; the median of a step, collision detection included, nothing sleeps.";
+        "each alone on the ground; the median of a step, collision detection included, nothing "
+        "sleeps.";
     chart.x = {"bodies", "", true};
     chart.y = {"time a step", "µs", true};
     struct Heap {
@@ -354,22 +316,20 @@ LineChart measure_growth(Run& run) {
     std::string grows;
     for (const Heap& heap :
          {Heap{"one stack", 1 << 20}, Heap{"stacks of five", 5}, Heap{"alone", 1}}) {
-        Line line{heap.name, LineStyle::measured, {}, {}};
-        for (const int n : run.pick<std::vector<int>>({5, 10, 20, 40}, {5, 20})) {
-            RigidWorldPlan plan = make_bare_plan();
-            for (int i = 0; i < n; ++i) {
-                add_cube(plan,
-                         {0.3 * (i / heap.height), kCubeHalf_m * (2 * (i % heap.height) + 1), 0.0});
-            }
-            const auto world = make_rigid_world(plan);
-            line.x.push_back(n);
-            line.y.push_back(summarise(time_steps(run.pick(2000, 300), [&](int) {
-                                 world->step(kStackStep_s);
-                             })).median_us);
-        }
-        grows += (grows.empty() ? "" : ", ") + line.name + " " +
-                 to_text(std::round(100.0 * find_power(line)) / 100.0);
-        chart.lines.push_back(std::move(line));
+        chart.trace(heap.name, LineStyle::measured,
+                    run.pick<std::vector<double>>({5, 10, 20, 40}, {5, 20}), [&](double n) {
+                        RigidWorldPlan plan = make_bare_plan();
+                        for (int i = 0; i < static_cast<int>(n); ++i) {
+                            add_cube(plan, {0.3 * (i / heap.height),
+                                            kCubeHalf_m * (2 * (i % heap.height) + 1), 0.0});
+                        }
+                        const auto world = make_rigid_world(plan);
+                        return summarise(time_steps(run.pick(2000, 300),
+                                                    [&](int) { world->step(kStackStep_s); }))
+                            .median_us;
+                    });
+        grows += (grows.empty() ? "" : ", ") + std::string(heap.name) + " " +
+                 to_text(rounded(find_power(chart.lines.back()), 2));
     }
     chart.advice =
         "Time grows as the number of bodies, and so of contacts, to the power of: " + grows + ".";

@@ -2,12 +2,7 @@
 #pragma once
 
 #include "haptics/math/spatial.h"
-#include "tests/bench/harness/registry.h"
-
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 
@@ -52,6 +47,16 @@ using MakeStackEngine = std::function<std::unique_ptr<StackEngine>(const StackSc
 
 /// Our own.
 [[nodiscard]] std::unique_ptr<StackEngine> make_fulcrum_stack(const StackScene& scene);
+
+/// What a stack is put to.
+struct EngineCourse {
+    std::string name;
+    StackScene scene;
+    std::function<void(StackEngine&, int)> disturb;
+    bool rests = true;   ///< nothing disturbs it: it is to stay where it is
+    bool leans = false;  ///< boxes lean on each other, so that heights tell no depth
+};
+[[nodiscard]] std::vector<EngineCourse> make_engine_courses();
 
 /// The engine's points of the curve "rigid-stacks".
 [[nodiscard]] std::vector<CostPoint> measure_stacks(const std::string& name,

@@ -1,10 +1,7 @@
 // The same stacks and the same wall at rest, hit and dropped, in our world and in other engines.
 #include "tests/bench/curves/rigid_stacks.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/curve.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace fulcrum::bench {
@@ -18,14 +15,6 @@ constexpr double kMoved_m = 0.02;
 constexpr double kUpon_m = 6.0e-3;
 // How often depths are taken.
 constexpr int kLookEach = 10;
-
-struct EngineCourse {
-    std::string name;
-    StackScene scene;
-    std::function<void(StackEngine&, int)> disturb;
-    bool rests = true;   // nothing disturbs it: it is to stay where it is
-    bool leans = false;  // boxes lean on each other, so that heights tell no depth
-};
 
 /// Boxes that stand upon each other, by their numbers.
 struct Upon {
@@ -101,6 +90,38 @@ class Watch {
     double deepest_m_ = 0.0;
 };
 
+void measure_course(const std::string& name, const EngineCourse& course,
+                    const MakeStackEngine& make, int n_steps, Sheet& sheet) {
+    const auto engine = make(course.scene);
+    Watch watch(course.scene);
+    std::vector<double> us;
+    double whole_us = 0.0;
+    for (int i = 0; i < n_steps && whole_us < 1.0e6 * kMostCourse_s; ++i) {
+        course.disturb(*engine, i);
+        // Of the processor: what others take of it is no engine's.
+        us.push_back(time_once([&] { engine->step(); }).own_us);
+        whole_us += us.back();
+        if (i % kLookEach == 0) {
+            watch.look(*engine);
+        }
+    }
+    const int n_done = static_cast<int>(us.size());
+    const double worst_us = *std::ranges::max_element(us);
+    const Cost cost = summarise(std::move(us));
+    const auto in_mm = [](double m) {
+        char text[32];
+        std::snprintf(text, sizeof(text), "%.2g", 1.0e3 * m);
+        return std::string(text);
+    };
+    const int n_moved = watch.count_moved(*engine);
+    sheet.add({name, course.name, rounded(cost.median_us, 1), rounded(cost.p99_us, 1),
+               rounded(worst_us, 1), course.leans ? "" : in_mm(watch.deepest_m()),
+               course.rests ? in_mm(watch.find_drift_m(*engine)) : "",
+               course.rests ? std::to_string(n_moved) : "", n_done});
+}
+
+}  // namespace
+
 std::vector<EngineCourse> make_engine_courses() {
     const auto leave = [](StackEngine&, int) {};
     std::vector<EngineCourse> courses{{"10 at rest", make_stack(10), leave},
@@ -139,69 +160,29 @@ std::vector<EngineCourse> make_engine_courses() {
     return courses;
 }
 
-std::vector<std::string> measure_course(const std::string& name, const EngineCourse& course,
-                                        const MakeStackEngine& make, int n_steps) {
-    const auto engine = make(course.scene);
-    Watch watch(course.scene);
-    std::vector<double> us;
-    double whole_us = 0.0;
-    for (int i = 0; i < n_steps && whole_us < 1.0e6 * kMostCourse_s; ++i) {
-        course.disturb(*engine, i);
-        // Of the processor: what others take of it is no engine's.
-        us.push_back(time_once([&] { engine->step(); }).own_us);
-        whole_us += us.back();
-        if (i % kLookEach == 0) {
-            watch.look(*engine);
-        }
-    }
-    const int n_done = static_cast<int>(us.size());
-    const double worst_us = *std::ranges::max_element(us);
-    const Cost cost = summarise(std::move(us));
-    const auto in_us = [](double value) { return to_text(std::round(10.0 * value) / 10.0); };
-    const auto in_mm = [](double m) {
-        char text[32];
-        std::snprintf(text, sizeof(text), "%.2g", 1.0e3 * m);
-        return std::string(text);
-    };
-    const int n_moved = watch.count_moved(*engine);
-    return {name,
-            course.name,
-            in_us(cost.median_us),
-            in_us(cost.p99_us),
-            in_us(worst_us),
-            course.leans ? "" : in_mm(watch.deepest_m()),
-            course.rests ? in_mm(watch.find_drift_m(*engine)) : "",
-            course.rests ? std::to_string(n_moved) : "",
-            std::to_string(n_done)};
-}
-
-}  // namespace
-
 std::vector<std::vector<std::string>> measure_stack_engine(const std::string& name,
                                                            const MakeStackEngine& make,
                                                            const Run& run) {
-    std::vector<std::vector<std::string>> rows;
+    Sheet sheet;
     for (const EngineCourse& course : make_engine_courses()) {
         run.progress(0.9, name + ": " + course.name);
-        rows.push_back(measure_course(name, course, make, run.pick(5000, 300)));
+        measure_course(name, course, make, run.pick(5000, 300), sheet);
     }
-    return rows;
+    return sheet.rows;
 }
 
 Sheet measure_stack_engines(const Run& run) {
-    Sheet sheet;
-    sheet.name = "rigid-engines";
-    sheet.title = "The same stacks and the same wall, whoever steps them";
-    sheet.work =
+    Sheet sheet{
+        "rigid-engines",
+        "The same stacks and the same wall, whoever steps them",
         "Cubes of 0.1 m and 1 kg and bricks of 0.2 m and 1 kg, friction 0.6, 5 s at 1 ms a step, "
         "collision detection included, one thread, its processor time, nothing sleeps. Depth: the "
-        "deepest that one of "
-        "two boxes that stood upon each other sank into the other, while both were within 20 mm of "
-        "where they began. Moved: boxes farther than 20 mm from there at the end. A course ends "
-        "after 12 s of computing.";
-    sheet.advice = "Ours is the one in which all of these stand exactly where they were put.";
-    sheet.columns = {"engine",  "course",      "median µs", "99 % µs", "worst µs",
-                     "deep mm", "sideways mm", "moved",     "steps"};
+        "deepest that one of two boxes that stood upon each other sank into the other, while both "
+        "were within 20 mm of where they began. Moved: boxes farther than 20 mm from there at the "
+        "end. A course ends after 12 s of computing.",
+        "Ours is the one in which all of these stand exactly where they were put.",
+        {"engine", "course", "median µs", "99 % µs", "worst µs", "deep mm", "sideways mm", "moved",
+         "steps"}};
     sheet.rows = measure_stack_engine("Fulcrum", make_fulcrum_stack, run);
     return sheet;
 }

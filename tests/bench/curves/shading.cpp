@@ -6,13 +6,8 @@
 #include "haptics/surface/shading.h"
 
 #include "haptics/geometry/shape.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/touchable.h"
-
-#include <array>
-#include <cmath>
-#include <numbers>
 
 namespace fulcrum::bench {
 namespace {
@@ -102,23 +97,20 @@ LineChart draw_smooth(Run& run) {
         "hundred thousand.";
     chart.x = {"triangles", "", true};
     chart.y = {"worst error of a normal", "°", true};
-    Line flat{"the faces' own", LineStyle::measured, {}, {}};
-    Line shaded{"shaded", LineStyle::measured, {}, {}};
-    Line first{"as the faces' size", LineStyle::theory, {}, {}};
-    Line second{"as its square", LineStyle::theory, {}, {}};
+    Line flat{"the faces' own"};
+    Line shaded{"shaded"};
+    Line first{"as the faces' size", LineStyle::theory};
+    Line second{"as its square", LineStyle::theory};
     for (const int n : run.pick<std::vector<int>>({12, 24, 48, 96, 192}, {12, 48})) {
         const auto mesh = touchable(make_torus(kRing_m, kTube_m, 2 * n, n));
         const Errors errors =
             find_errors(*mesh, ShadedNormals(mesh, 60.0),
                         [](const Vector3& p, const Vector3&) { return torus_normal(p); });
         const double x = mesh->n_triangles();
-        for (Line* line : {&flat, &shaded, &first, &second}) {
-            line->x.push_back(x);
-        }
-        flat.y.push_back(errors.flat_deg);
-        shaded.y.push_back(errors.shaded_deg);
-        first.y.push_back(flat.y[0] * std::sqrt(flat.x[0] / x));
-        second.y.push_back(shaded.y[0] * flat.x[0] / x);
+        flat.add(x, errors.flat_deg);
+        shaded.add(x, errors.shaded_deg);
+        first.add(x, flat.y[0] * std::sqrt(flat.x[0] / x));
+        second.add(x, shaded.y[0] * flat.x[0] / x);
     }
     chart.lines = {flat, first, shaded, second};
     return chart;
@@ -139,11 +131,10 @@ LineChart draw_creases(Run& run) {
     chart.y = {"worst error of a normal", "°", false};
     for (const std::int32_t sides : {12, 24, 48}) {
         const auto mesh = touchable(make_drum(sides));
-        Line line{std::to_string(sides) + " sides", LineStyle::measured, {}, {}};
+        Line line{std::to_string(sides) + " sides"};
         for (double crease = 0.0; crease <= 120.0; crease += run.pick(2.5, 15.0)) {
-            line.x.push_back(crease);
-            line.y.push_back(
-                find_errors(*mesh, ShadedNormals(mesh, crease), drum_normal).shaded_deg);
+            line.add(crease,
+                     find_errors(*mesh, ShadedNormals(mesh, crease), drum_normal).shaded_deg);
         }
         chart.lines.push_back(std::move(line));
     }
@@ -151,15 +142,13 @@ LineChart draw_creases(Run& run) {
 }
 
 Sheet list_costs(Run& run) {
-    Sheet sheet;
-    sheet.name = "shading-cost";
-    sheet.title = "What a shaded normal costs";
-    sheet.work =
+    Sheet sheet{
+        "shading-cost",
+        "What a shaded normal costs",
         "One normal at the middle of a triangle, all triangles one after the other; least median "
-        "of the passes.";
-    sheet.advice =
-        "It is little beside a proxy's step, and meshes that do not ask for it have none of it.";
-    sheet.columns = {"triangles", "median µs", "99 % µs", "bytes a triangle"};
+        "of the passes.",
+        "It is little beside a proxy's step, and meshes that do not ask for it have none of it.",
+        {"triangles", "median µs", "99 % µs", "bytes a triangle"}};
     for (const int n : run.pick<std::vector<int>>({24, 192}, {24})) {
         const auto mesh = touchable(make_torus(kRing_m, kTube_m, 2 * n, n));
         const ShadedNormals shaded(mesh, 60.0);
@@ -170,8 +159,8 @@ Sheet list_costs(Run& run) {
             t = (t + 1) % mesh->n_triangles();
         });
         const double bytes = static_cast<double>(shaded.memory_bytes()) / mesh->n_triangles();
-        sheet.rows.push_back({std::to_string(mesh->n_triangles()), std::to_string(cost.median_us),
-                              std::to_string(cost.p99_us), std::to_string(bytes)});
+        sheet.add({mesh->n_triangles(), std::to_string(cost.median_us), std::to_string(cost.p99_us),
+                   std::to_string(bytes)});
     }
     return sheet;
 }

@@ -3,15 +3,7 @@
 #include "haptics/device/arm/simulated_wam.h"
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/device/simulated/simulated_hand.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -52,10 +44,6 @@ class LedDevice {
     int round_ = 0;
 };
 
-std::string round_to_10ns(double us) {
-    return to_text(std::round(100.0 * us) / 100.0);
-}
-
 std::unique_ptr<SimulatedWam> make_wam(double longest_step_s, LatestValue<HandTarget>& target) {
     SimulatedWamSettings settings;
     settings.longest_step_s = longest_step_s;
@@ -80,20 +68,17 @@ Report run_simulated_arms(Run& run) {
         }
         run.progress((pass + 1.0) / n_passes);
     }
-    Sheet sheet;
-    sheet.name = "simulated-arms";
-    sheet.title = "Simulated arms";
-    sheet.work =
-        "A read and a write at 1 kHz, the handle led round a circle against a changing force.";
-    sheet.advice =
+    Sheet sheet{
+        "simulated-arms",
+        "Simulated arms",
+        "A read and a write at 1 kHz, the handle led round a circle against a changing force.",
         "The arm of three axes where only its wall matters; the WAM where joints, stops and motors "
-        "do.";
-    sheet.columns = {"device", "median, us", "p99, us", "times the three axes"};
+        "do.",
+        {"device", "median, us", "p99, us", "times the three axes"}};
     for (const LedDevice& device : devices) {
-        sheet.rows.push_back(
-            {device.name(), round_to_10ns(device.best().median_us),
-             round_to_10ns(device.best().p99_us),
-             round_to_10ns(device.best().median_us / devices[1].best().median_us)});
+        const Cost& best = device.best();
+        sheet.add({device.name(), rounded(best.median_us, 2), rounded(best.p99_us, 2),
+                   rounded(best.median_us / devices[1].best().median_us, 2)});
     }
     return {sheet};
 }

@@ -14,17 +14,13 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
 #include "tests/bench/curves/mesh_file.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
+#include "tests/support/god_scene.h"
 #include "tests/support/nearest_point.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <stdexcept>
 
 namespace fulcrum::bench {
@@ -111,23 +107,6 @@ class Guide {
     Vector3 way_;
 };
 
-// By the solid angle of each triangle (A. van Oosterom, J. Strackee 1983, The solid angle of a plane triangle).
-bool is_inside(const CollisionMesh& mesh, const Vector3& p) {
-    double sum = 0.0;
-    for (std::int32_t i = 0; i < mesh.n_triangles(); ++i) {
-        const TriangleCorners& t = mesh.corners(i);
-        const Vector3 a = mesh.vertex_B(t[0]) - p;
-        const Vector3 b = mesh.vertex_B(t[1]) - p;
-        const Vector3 c = mesh.vertex_B(t[2]) - p;
-        const double la = a.norm();
-        const double lb = b.norm();
-        const double lc = c.norm();
-        sum += 2.0 * std::atan2(a.dot(b.cross(c)),
-                                la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return std::abs(sum) > 2.0 * std::numbers::pi;
-}
-
 struct Tally {
     int n_steps = 0;
     int n_smooth = 0;
@@ -150,7 +129,8 @@ std::vector<bool> find_rim(const CollisionMesh& mesh) {
     return is_rim;
 }
 
-void run_course(const Mesh& mesh, const std::vector<bool>& is_rim, unsigned seed, Tally& tally) {
+void run_course(const TriangleMesh& source, const Mesh& mesh, const std::vector<bool>& is_rim,
+                unsigned seed, Tally& tally) {
     Guide guide(*mesh, seed);
     GodObject proxy(only_solid(mesh));
     const double depth_m = kDepth * mesh->radius_m();
@@ -164,16 +144,15 @@ void run_course(const Mesh& mesh, const std::vector<bool>& is_rim, unsigned seed
         // In deeper tick by tick, so that the hand does not jump through all at the start.
         const double deep_m = depth_m * std::min(1.0, i / 50.0);
         const Vector3 hand_W = guide.place() - deep_m * guide.normal();
-        std::vector<double> us;
-        time_batches([&] { keep(proxy.step(hand_W, {}).n_constraints); },
-                     {.samples = 1, .batch = 1, .warm_up = 0}, us);
-        tally.us.push_back(us.front());
+        tally.us.push_back(time_by_clock_us([&] { keep(proxy.step(hand_W, {}).n_constraints); }));
         const ProxyContact& contact = proxy.contact();
         const double gap_m = (contact.position_W - hand_W).norm();
         const bool is_behind = find_nearest_hit(*mesh, hand_W, guide.outside()).found();
         ++tally.n_steps;
-        tally.n_leaked +=
-            is_behind && contact.solid == kNoBody && is_inside(*mesh, contact.position_W) ? 1 : 0;
+        tally.n_leaked += is_behind && contact.solid == kNoBody &&
+                                  std::abs(test::find_winding(source, contact.position_W)) > 0.5
+                              ? 1
+                              : 0;
         if (guide.is_smooth()) {
             ++tally.n_smooth;
             tally.n_snagged += gap_m > kFar * depth_m ? 1 : 0;
@@ -182,7 +161,7 @@ void run_course(const Mesh& mesh, const std::vector<bool>& is_rim, unsigned seed
     }
 }
 
-std::vector<std::string> measure(const std::string& name, const TriangleMesh& source, Run& run) {
+void measure(const std::string& name, const TriangleMesh& source, Run& run, Sheet& sheet) {
     const Mesh mesh = touchable(source);
     const std::vector<bool> is_rim = find_rim(*mesh);
     const int n_steps = run.pick(200000, 40000);
@@ -191,58 +170,37 @@ std::vector<std::string> measure(const std::string& name, const TriangleMesh& so
     constexpr unsigned kMostCourses = 20000;
     for (unsigned course = 0; course < kMostCourses && tally.n_steps < n_steps; ++course) {
         run.progress(static_cast<double>(tally.n_steps) / n_steps, name);
-        run_course(mesh, is_rim, course, tally);
+        run_course(source, mesh, is_rim, course, tally);
     }
     if (tally.n_steps == 0) {
         throw std::runtime_error("no way on the mesh " + name + " is free of rims");
     }
     const Cost cost = summarise(std::move(tally.us));
-    return {name,
-            to_text(mesh->n_triangles()),
-            to_text(tally.n_steps),
-            to_text(tally.n_smooth),
-            to_text(tally.n_snagged),
-            to_text(tally.n_leaked),
-            to_text(tally.worst_gap),
-            to_text(cost.median_us),
-            to_text(cost.p99_us),
-            to_sentence(compute_full_mesh_report(source))};
+    sheet.add({name, static_cast<double>(mesh->n_triangles()), tally.n_steps, tally.n_smooth,
+               tally.n_snagged, tally.n_leaked, tally.worst_gap, cost.median_us, cost.p99_us,
+               to_sentence(compute_full_mesh_report(source))});
 }
 
 Report run_snags(Run& run) {
-    Sheet sheet;
-    sheet.name = "snags";
-    sheet.title = "Snags and leaks of the god-object";
-    sheet.work =
+    Sheet sheet{
+        "snags",
+        "Snags and leaks of the god-object",
         "A hand slides 2 % of the radius behind a surface at 4 radii a second, 1 kHz. Snagged: "
         "further than three depths from the hand where the surface is smooth. Leaked: held by "
-        "nothing, inside the body.";
-    sheet.advice = "Try your own: fulcrum bench snags --mesh FILE, an OBJ, GLB or glTF file.";
-    sheet.columns = {"mesh",
-                     "triangles",
-                     "steps",
-                     "on smooth surface",
-                     "snagged",
-                     "leaked",
-                     "largest gap there, radii",
-                     "median µs",
-                     "99 % µs",
-                     "report"};
+        "nothing, inside the body.",
+        "Try your own: fulcrum bench snags --mesh FILE, an OBJ, GLB or glTF file.",
+        {"mesh", "triangles", "steps", "on smooth surface", "snagged", "leaked",
+         "largest gap there, radii", "median µs", "99 % µs", "report"}};
     if (!run.mesh_file().empty()) {
-        const auto mesh = load_mesh_file(run.mesh_file());
-        if (!mesh) {
-            throw std::runtime_error(to_sentence(mesh.error()));
-        }
-        sheet.rows.push_back(
-            measure(std::filesystem::path(run.mesh_file()).filename(), *mesh, run));
+        measure(std::filesystem::path(run.mesh_file()).filename(),
+                must(load_mesh_file(run.mesh_file())), run, sheet);
         return {sheet};
     }
     for (const int frequency : run.pick<std::vector<int>>({7, 22, 71, 224}, {22, 71})) {
-        sheet.rows.push_back(
-            measure("bumpy ball", *make_bumpy_sphere(1.0, frequency, 0.03, 20.0), run));
+        measure("bumpy ball", *make_bumpy_sphere(1.0, frequency, 0.03, 20.0), run, sheet);
     }
     for (const int n_ring : run.pick<std::vector<int>>({36, 354, 1120}, {354})) {
-        sheet.rows.push_back(measure("ring", *make_torus(1.0, 0.4, n_ring, n_ring * 2 / 5), run));
+        measure("ring", *make_torus(1.0, 0.4, n_ring, n_ring * 2 / 5), run, sheet);
     }
     return {sheet};
 }

@@ -1,28 +1,24 @@
 // The hard cases as a table: what `ctest -L stability` judges, with the numbers.
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/stability/cases/stability_case.h"
 
 namespace fulcrum::bench {
 namespace {
 
 Report run_stability(Run& run) {
-    Sheet sheet;
-    sheet.name = "stability";
-    sheet.title = "Hard cases";
-    sheet.work =
+    Sheet sheet{
+        "stability",
+        "Hard cases",
         "Each case is run whole; the number is the worst that was seen, and the case holds when it "
-        "does not pass the limit.";
-    sheet.advice =
-        "A case that does not hold is a defect: ctest -L stability fails with the same numbers.";
-    sheet.columns = {"case", "measured", "worst", "limit", "unit", "holds", "note"};
+        "does not pass the limit.",
+        "A case that does not hold is a defect: ctest -L stability fails with the same numbers.",
+        {"case", "measured", "worst", "limit", "unit", "holds", "note"}};
     const auto& cases = stability::all_cases();
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        run.progress(static_cast<double>(i) / static_cast<double>(cases.size()), cases[i].name);
+        run.progress(i, cases.size(), cases[i].name);
         const stability::Finding finding = stability::run_case(cases[i]);
-        sheet.rows.push_back({cases[i].name, cases[i].measured, to_text(finding.worst),
-                              to_text(finding.limit), cases[i].unit, finding.holds() ? "yes" : "NO",
-                              finding.note});
+        sheet.add({cases[i].name, cases[i].measured, finding.worst, finding.limit, cases[i].unit,
+                   finding.holds() ? "yes" : "NO", finding.note});
     }
     return {sheet};
 }

@@ -4,17 +4,9 @@
 #include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/tool_scene.h"
 #include "tests/support/touchable.h"
-
-#include <array>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -223,10 +215,6 @@ std::vector<Scene> list_scenes() {
     };
 }
 
-std::string round_to_ns(double us) {
-    return to_text(std::round(1000.0 * us) / 1000.0 + 0.0);
-}
-
 Report run_stage_cost(Run& run) {
     const std::vector<Scene> scenes = list_scenes();
     std::vector<std::unique_ptr<Stand>> stands;
@@ -242,30 +230,22 @@ Report run_stage_cost(Run& run) {
             costs[i] = cost.median_us < costs[i].median_us ? cost : costs[i];
         }
     }
-    Sheet sheet;
-    sheet.name = "stage-cost";
-    sheet.title = "What each effect adds to a round of the haptic loop";
-    sheet.work =
+    Sheet sheet{
+        "stage-cost",
+        "What each effect adds to a round of the haptic loop",
         "A hand goes round a ball of 5 cm at 0.2 m/s, 2 cm over it (touched: 5 mm inside), 1 kHz. "
-        "Rounds are timed by "
-        "16, without what lesson and world do; of several passes the one with the least median. "
-        "The bare loop "
-        "estimates the hand's velocity by the adaptive window. The tool is a ball of 1 cm with "
-        "2000 "
-        "points, 2 mm inside where it touches.";
-    sheet.advice =
+        "Rounds are timed by 16, without what lesson and world do; of several passes the one with "
+        "the least median. The bare loop estimates the hand's velocity by the adaptive window. The "
+        "tool is a ball of 1 cm with 2000 points, 2 mm inside where it touches.",
         "Every effect is a small part of the millisecond that a round has, so choose by what is to "
         "be felt; a solid that is touched costs as much as one or two bare rounds more, a tool "
-        "with "
-        "force and torque tens of them.";
-    sheet.columns = {"scene",    "median µs",  "99 % µs",
-                     "added µs", "times bare", "state in bytes, meshes included"};
+        "with force and torque tens of them.",
+        {"scene", "median µs", "99 % µs", "added µs", "times bare",
+         "state in bytes, meshes included"}};
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        sheet.rows.push_back(
-            {scenes[i].name, round_to_ns(costs[i].median_us), round_to_ns(costs[i].p99_us),
-             round_to_ns(costs[i].median_us - costs[0].median_us),
-             to_text(std::round(100.0 * costs[i].median_us / costs[0].median_us) / 100.0),
-             std::to_string(stands[i]->count_bytes())});
+        sheet.add({scenes[i].name, rounded(costs[i].median_us, 3), rounded(costs[i].p99_us, 3),
+                   rounded(costs[i].median_us - costs[0].median_us, 3),
+                   rounded(costs[i].median_us / costs[0].median_us, 2), stands[i]->count_bytes()});
     }
     return {sheet};
 }

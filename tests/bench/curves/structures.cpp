@@ -3,15 +3,9 @@
 #include "haptics/collision/segment_structure.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace fulcrum::bench {
 namespace {
@@ -75,18 +69,16 @@ Cost measure_steps(const Mesh& mesh, SegmentStructureKind kind, int n) {
 }
 
 Row measure(SegmentStructureKind kind, const TriangleMesh& source, const Mesh& mesh, int n) {
-    using Clock = std::chrono::steady_clock;
     // The mesh and its tree are there for all of them; what the tree takes is told at its own row.
-    const auto begin = Clock::now();
-    Mesh again = kind == SegmentStructureKind::bounding_tree ? touchable(source) : mesh;
-    const auto structure = make_segment_structure(kind, again).value();
-    const std::chrono::duration<double, std::milli> took = Clock::now() - begin;
+    const bool is_tree = kind == SegmentStructureKind::bounding_tree;
+    std::unique_ptr<SegmentStructure> structure;
+    const double took_us = time_by_clock_us([&] {
+        structure = make_segment_structure(kind, is_tree ? touchable(source) : mesh).value();
+    });
     Row row{kind, static_cast<double>(mesh->n_triangles())};
-    row.build_ms = took.count();
-    row.megabytes = static_cast<double>(kind == SegmentStructureKind::bounding_tree
-                                            ? mesh->memory_bytes()
-                                            : structure->memory_bytes()) /
-                    1.0e6;
+    row.build_ms = 1.0e-3 * took_us;
+    row.megabytes =
+        1.0e-6 * static_cast<double>(is_tree ? mesh->memory_bytes() : structure->memory_bytes());
     for (std::size_t i = 0; i < kLengths.size(); ++i) {
         row.segment[i] = measure_segments(*structure, kLengths[i], n);
     }
@@ -113,43 +105,26 @@ LineChart draw(const std::vector<Row>& rows, const std::string& name, const std:
     chart.x = {"triangles", "", true};
     chart.y = {"time", "µs", true};
     for (const SegmentStructureKind kind : kKinds) {
-        Line line{std::string(name_of(kind)), LineStyle::measured, {}, {}};
-        for (const Row& row : rows) {
-            if (row.kind == kind) {
-                line.x.push_back(row.n_triangles);
-                line.y.push_back(value(row));
-            }
-        }
-        chart.lines.push_back(std::move(line));
+        chart.draw(
+            std::string(name_of(kind)), rows, [&](const Row& row) { return row.kind == kind; },
+            [](const Row& row) { return row.n_triangles; }, value);
     }
     return chart;
 }
 
 Sheet list_all(const std::vector<Row>& rows) {
-    Sheet sheet{"structures", "Structures for segments", kWork, kAdvice, {}, {}};
-    sheet.columns = {"triangles",
-                     "structure",
-                     "segment of 0.004 R, median µs",
-                     "99 % µs",
-                     "of 0.05 R, median µs",
-                     "99 % µs",
-                     "of 1 R, median µs",
-                     "99 % µs",
-                     "god-object's step, median µs",
-                     "99 % µs",
-                     "build ms",
-                     "memory MB"};
+    Sheet sheet{"structures",
+                "Structures for segments",
+                kWork,
+                kAdvice,
+                {"triangles", "structure", "segment of 0.004 R, median µs", "99 % µs",
+                 "of 0.05 R, median µs", "99 % µs", "of 1 R, median µs", "99 % µs",
+                 "god-object's step, median µs", "99 % µs", "build ms", "memory MB"}};
     for (const Row& row : rows) {
-        std::vector<std::string> cells{to_text(row.n_triangles), std::string(name_of(row.kind))};
-        for (const Cost& cost : row.segment) {
-            cells.push_back(to_text(cost.median_us));
-            cells.push_back(to_text(cost.p99_us));
-        }
-        cells.push_back(to_text(row.step.median_us));
-        cells.push_back(to_text(row.step.p99_us));
-        cells.push_back(to_text(row.build_ms));
-        cells.push_back(to_text(row.megabytes));
-        sheet.rows.push_back(std::move(cells));
+        const auto& [near, far, across] = row.segment;
+        sheet.add({row.n_triangles, name_of(row.kind), near.median_us, near.p99_us, far.median_us,
+                   far.p99_us, across.median_us, across.p99_us, row.step.median_us, row.step.p99_us,
+                   row.build_ms, row.megabytes});
     }
     return sheet;
 }
@@ -161,8 +136,7 @@ Report run_structures(Run& run) {
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
         const auto source = make_bumpy_sphere(1.0, frequencies[i], 0.03, 20.0);
         const Mesh mesh = touchable(source);
-        run.progress(static_cast<double>(i) / static_cast<double>(frequencies.size()),
-                     std::to_string(mesh->n_triangles()) + " triangles");
+        run.progress(i, frequencies.size(), std::to_string(mesh->n_triangles()) + " triangles");
         for (const SegmentStructureKind kind : kKinds) {
             if (is_measured(kind, mesh)) {
                 rows.push_back(measure(kind, *source, mesh, n));

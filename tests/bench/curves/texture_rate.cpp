@@ -6,14 +6,9 @@
 // missing there, at best.
 #include "haptics/surface/stroke_filter.h"
 #include "haptics/surface/texture.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 
-#include <cmath>
 #include <complex>
-#include <numbers>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -92,23 +87,21 @@ Errors compare(const std::vector<double>& felt, double rate_Hz, const std::vecto
 }
 
 Sheet list_costs(const Texture& texture) {
-    Sheet sheet;
-    sheet.name = "texture-cost";
-    sheet.title = "What a texture costs a round";
-    sheet.work =
+    Sheet sheet{
+        "texture-cost",
+        "What a texture costs a round",
         "One touch on a relief of 128 x 128 heights, in a loop of 1 kHz, by the speed of the "
-        "stroke.";
-    sheet.advice =
+        "stroke.",
         "At rest a texture is nearly free; a fast stroke needs more of the relief, and never more "
-        "than this.";
-    sheet.columns = {"speed of the stroke, m/s", "median µs", "99 % µs"};
+        "than this.",
+        {"speed of the stroke, m/s", "median µs", "99 % µs"}};
     for (const double speed : {0.0, 0.02, 0.1, 0.5, 2.0}) {
         double u_m = 0.0;
         const Cost cost = measure_cost([&] {
             u_m += 0.001 * speed + 1.0e-6;
             keep(texture.feel({u_m, 0.0031}, {0.001 * speed, 0.0}, kDepth_m).along.u_m);
         });
-        sheet.rows.push_back({to_text(speed), to_text(cost.median_us), to_text(cost.p99_us)});
+        sheet.add({speed, cost.median_us, cost.p99_us});
     }
     return sheet;
 }
@@ -121,15 +114,13 @@ Report run_texture_rate(Run& run) {
     chart.title = "A texture's spectrum against the loop's rate";
     chart.work =
         "Bumps of 0.4 to 2 mm are stroked at an even speed; the felt force is compared wave by "
-        "wave "
-        "with what the relief gives at 40 kHz: the rms of the difference over the rms of all, of "
-        "the waves below 0.3 of the loop's rate and of all waves.";
+        "wave with what the relief gives at 40 kHz: the rms of the difference over the rms of all, "
+        "of the waves below 0.3 of the loop's rate and of all waves.";
     chart.reference =
         "beside it the relief taken place by place, where short waves are folded into long ones";
     chart.advice =
         "Average along the stroke: it costs three microseconds at most. Raise the rate where bumps "
-        "below a "
-        "millimetre are stroked fast; at 1 kHz waves up to 300 Hz are right.";
+        "below a millimetre are stroked fast; at 1 kHz waves up to 300 Hz are right.";
     chart.x = {"rate of the loop", "Hz", false};
     chart.y = {"error of the spectrum", "", true};
     const std::vector<double> rates = run.pick<std::vector<double>>(
@@ -140,15 +131,13 @@ Report run_texture_rate(Run& run) {
         for (const bool averaged : {true, false}) {
             const std::string name = std::string(averaged ? "averaged" : "place by place") +
                                      (speed < 0.2 ? ", 0.1 m/s" : ", 0.5 m/s");
-            Line given{name, LineStyle::measured, {}, {}};
-            Line all{name + ", all waves", LineStyle::measured, {}, {}};
+            Line given{name};
+            Line all{name + ", all waves"};
             for (const double rate_Hz : rates) {
                 const Errors errors = compare(stroke(texture, speed, rate_Hz, seconds, averaged),
                                               rate_Hz, truth, seconds);
-                given.x.push_back(rate_Hz);
-                given.y.push_back(errors.passed);
-                all.x.push_back(rate_Hz);
-                all.y.push_back(errors.all);
+                given.add(rate_Hz, errors.passed);
+                all.add(rate_Hz, errors.all);
                 done += 1.0;
                 run.progress(done / (4.0 * static_cast<double>(rates.size())));
             }

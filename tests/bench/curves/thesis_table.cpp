@@ -4,17 +4,9 @@
 #include "haptics/math/rotation.h"
 #include "haptics/tool/voxel_tool.h"
 #include "haptics/voxel/voxelise.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/gear.h"
 #include "tests/support/listed_tree.h"
-
-#include <array>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -90,22 +82,19 @@ class Stand {
     }
     // In turn, so that all three see the same machine.
     void measure(int n_steps) {
-        const Timing one{.samples = 1, .batch = 1, .warm_up = 0};
         for (int i = 1; i <= n_steps; ++i) {
             ++step_;
             const MovingFrame handle = make_handle(step_);
-            time_batches([&] { keep(dense_.step(handle, {}, kDt_s * step_, kDt_s)); }, one,
-                         dense_us_);
-            time_batches([&] { keep(tree_.step(handle, {}, kDt_s * step_, kDt_s)); }, one,
-                         tree_us_);
+            dense_us_.push_back(
+                time_by_clock_us([&] { keep(dense_.step(handle, {}, kDt_s * step_, kDt_s)); }));
+            tree_us_.push_back(
+                time_by_clock_us([&] { keep(tree_.step(handle, {}, kDt_s * step_, kDt_s)); }));
             // The tool's own motion is the tree's: coupling and step of the body cost 0.1 us and are left out.
             const Pose pose = tree_.state().pose_W;
-            time_batches(
-                [&] {
-                    keep(test::sample_listed(listed_, points_, normals_, pose, kStiffness_N_per_m,
-                                             kFull));
-                },
-                one, listed_us_);
+            listed_us_.push_back(time_by_clock_us([&] {
+                keep(test::sample_listed(listed_, points_, normals_, pose, kStiffness_N_per_m,
+                                         kFull));
+            }));
             n_surface_ += tree_.sampling().sample(tree_.state(), {}).n_surface;
         }
     }
@@ -145,24 +134,18 @@ Report run_thesis_table(Run& run) {
     // 80 voxels along its longest side with the layers around it.
     const auto grid = std::make_shared<const VoxelGrid>(
         voxelise(gear, {.voxel_m = compute_voxel_m(gear, 76)}).value());
-    Sheet sheet;
-    sheet.name = "thesis-table";
-    sheet.title = "A gear of points in a gear of 80^3 voxels, kHz";
-    sheet.work =
+    Sheet sheet{
+        "thesis-table",
+        "A gear of points in a gear of 80^3 voxels, kHz",
         "Table 2.1 of the thesis (Core i7, 3.4 GHz) and the same on this machine, one thread: "
-        "every "
-        "point looked up each step, tangent planes, average beyond 70 contacts, coupling, "
-        "semi-implicit "
-        "Euler; points are centres of surface voxels. Listed: the thesis' tree with a list of "
-        "voxels in each "
-        "leaf. Tree: the 512-tree of two bits a voxel. Byte: a byte a voxel, no tree. Medians of "
-        "steps "
-        "taken in turn.";
-    sheet.advice =
+        "every point looked up each step, tangent planes, average beyond 70 contacts, coupling, "
+        "semi-implicit Euler; points are centres of surface voxels. Listed: the thesis' tree with "
+        "a list of voxels in each leaf. Tree: the 512-tree of two bits a voxel. Byte: a byte a "
+        "voxel, no tree. Medians of steps taken in turn.",
         "With lists a deeper tree is faster, as the thesis found; where a leaf is looked into "
-        "directly, depth costs a little and buys memory.";
-    sheet.columns = {"points",   "depth",    "in the surface", "printed kHz",   "listed kHz",
-                     "tree kHz", "byte kHz", "tree 99 % µs",   "byte / printed"};
+        "directly, depth costs a little and buys memory.",
+        {"points", "depth", "in the surface", "printed kHz", "listed kHz", "tree kHz", "byte kHz",
+         "tree 99 % µs", "byte / printed"}};
     double done = 0.0;
     for (const Row& row : kTable) {
         const Pointshell shell = make_shell(gear, static_cast<std::size_t>(row.n_points));
@@ -171,11 +154,10 @@ Report run_thesis_table(Run& run) {
             Stand stand(grid, shell, depth);
             stand.measure(run.pick(3000, 200));
             const double printed = row.printed_kHz[static_cast<std::size_t>(depth - 1)];
-            sheet.rows.push_back({std::to_string(row.n_points), std::to_string(depth),
-                                  std::to_string(stand.mean_surface()), to_text(printed),
-                                  to_digits(stand.listed().kHz), to_digits(stand.tree().kHz),
-                                  to_digits(stand.dense().kHz), to_digits(stand.tree().p99_us),
-                                  to_digits(stand.dense().kHz / printed)});
+            sheet.add({row.n_points, depth, stand.mean_surface(), printed,
+                       to_digits(stand.listed().kHz), to_digits(stand.tree().kHz),
+                       to_digits(stand.dense().kHz), to_digits(stand.tree().p99_us),
+                       to_digits(stand.dense().kHz / printed)});
             done += 1.0 / 8.0;
         }
     }

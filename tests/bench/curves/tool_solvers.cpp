@@ -1,16 +1,8 @@
 // One scene by every way in which a tool can be kept outside: a block on a table, by the one word that a lesson changes. What the hand should feel is
 // known in closed form: the coupling's spring, from where the hand is to where the block would lie on the table exactly.
 #include "haptics/math/rotation.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/tool_scene.h"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -232,8 +224,7 @@ std::string find_stiffest_contact(const Solver& solver, int parts) {
     }
     const double times =
         find_largest(1.0 / 64.0, 1024.0, parts, [&](double n) { return does_rest(solver, n); });
-    return std::isfinite(times) ? to_text(std::round(100.0 * times) / 100.0)
-                                : "none of those tried";
+    return std::isfinite(times) ? to_text(rounded(times, 2)) : "none of those tried";
 }
 
 // Does a hand of 0.5 kg and 2 Ns/m that presses the block on the table by 2 N come to rest, within a twentieth of what it feels?
@@ -281,54 +272,36 @@ std::string find_stiffest_coupling(const Solver& solver, int parts) {
            (stiffest == kMost_N_per_m ? ", the stiffest tried" : "");
 }
 
-std::string percent(double share) {
-    return to_text(std::round(1.0e4 * share) / 100.0);
-}
-
 Report run_tool_solvers(Run& run) {
-    Sheet sheet;
-    sheet.name = "tool-solvers";
-    sheet.title = "One block on one table, by every solver";
-    sheet.work =
+    Sheet sheet{
+        "tool-solvers",
+        "One block on one table, by every solver",
         "A block of 4 x 2 x 3 cm, 20 g and 2000 points (among voxels one a voxel) on a coupling of "
-        "500 N/m, voxels of 2 mm, "
-        "pressed 6 mm too deep, flat and on its edge, and drawn along flat. Stability by "
-        "bisection, "
-        "of a tool of 10 g at 1 kHz: the stiffest contact by which it rests, flat and "
-        "on an edge, with a ripple of less than 1 %, in parts of what a plan makes; and the "
-        "stiffest coupling by which a hand of 0.5 kg and 2 Ns/m that presses with 2 N comes to "
-        "rest";
-    sheet.advice =
+        "500 N/m, voxels of 2 mm, pressed 6 mm too deep, flat and on its edge, and drawn along "
+        "flat. Stability by bisection, of a tool of 10 g at 1 kHz: the stiffest contact by which "
+        "it rests, flat and on an edge, with a ripple of less than 1 %, in parts of what a plan "
+        "makes; and the stiffest coupling by which a hand of 0.5 kg and 2 Ns/m that presses with 2 "
+        "N comes to rest",
         "field_sampling unless something speaks against it; implicit_penalty where contact is "
         "found late or the coupling is stiff; voxel_sampling for models that no field can be made "
-        "of; massless where no inertia may be felt and jumps may.";
-    sheet.columns = {"solver",
-                     "quadrant",
-                     "force off, flat, %",
-                     "force off, on an edge, %",
-                     "deepest, mm",
-                     "drag, %",
-                     "felt mass in free air, g",
-                     "step, median us",
-                     "99 %, us",
-                     "memory, MB",
-                     "stiffest contact, times",
-                     "stiffest coupling in a hand, N/m"};
+        "of; massless where no inertia may be felt and jumps may.",
+        {"solver", "quadrant", "force off, flat, %", "force off, on an edge, %", "deepest, mm",
+         "drag, %", "felt mass in free air, g", "step, median us", "99 %, us", "memory, MB",
+         "stiffest contact, times", "stiffest coupling in a hand, N/m"}};
     const int parts = run.pick(4, 1);
     for (const Solver& solver : kSolvers) {
-        run.progress(static_cast<double>(sheet.rows.size()) / static_cast<double>(kSolvers.size()),
-                     solver.name);
+        run.progress(sheet.rows.size(), kSolvers.size(), solver.name);
         const std::unique_ptr<ToolSolver> block = make_block(solver, {});
         const Pressed flat = press(*block, 0.0, {}, kPressed_m);
         const Pressed edge = press(*block, kOnEdge_rad, {}, kPressed_m);
         const Drawn drawn = draw(solver, run.pick(10.0, 2.0));
-        sheet.rows.push_back(
-            {solver.name, find_quadrant(solver), percent(flat.error), percent(edge.error),
-             to_text(std::round(1.0e5 * std::max(flat.depth_m, edge.depth_m)) / 100.0),
-             percent(drawn.drag), to_text(std::round(1.0e4 * find_felt_mass_kg(solver)) / 10.0),
-             to_text(drawn.cost.median_us), to_text(drawn.cost.p99_us),
-             to_text(std::round(1.0e-4 * static_cast<double>(block->memory_bytes())) / 100.0),
-             find_stiffest_contact(solver, parts), find_stiffest_coupling(solver, parts)});
+        sheet.add({solver.name, find_quadrant(solver), rounded(100.0 * flat.error, 2),
+                   rounded(100.0 * edge.error, 2),
+                   rounded(1.0e3 * std::max(flat.depth_m, edge.depth_m), 2),
+                   rounded(100.0 * drawn.drag, 2), rounded(1.0e3 * find_felt_mass_kg(solver), 1),
+                   drawn.cost.median_us, drawn.cost.p99_us,
+                   rounded(1.0e-6 * static_cast<double>(block->memory_bytes()), 2),
+                   find_stiffest_contact(solver, parts), find_stiffest_coupling(solver, parts)});
     }
     return {sheet};
 }

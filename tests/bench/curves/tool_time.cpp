@@ -1,15 +1,7 @@
 // A plate of many points pressed flat on a block, as a plan makes it: what a step of the tool takes without a budget, by how many
 // points, and with one, at 1 and 4 kHz; how often it is late, by the clock and by its own work, and what error it accepts.
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/tool_scene.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -86,36 +78,20 @@ Report run_tool_time(Run& run) {
         "tool-time",
         "A tool that lies flat, and the time that a step has for it",
         "A plate of points pressed flat on a block of 1 mm voxels by 500 N/m and rubbed, half of "
-        "its "
-        "points touching; backward Euler. Late: longer than a step.",
+        "its points touching; backward Euler. Late: longer than a step.",
         "A live run has the budget; without one give such a tool no more points than end in time.",
-        {},
-        {}};
-    sheet.columns = {"points",
-                     "steps a second",
-                     "budget us",
-                     "median us",
-                     "99 % us",
-                     "most us",
-                     "steps late",
-                     "late by their own work",
-                     "steps",
-                     "most looks",
-                     "thousand points looked at, most",
-                     "out of time",
-                     "error accepted, most N"};
+        {"points", "steps a second", "budget us", "median us", "99 % us", "most us", "steps late",
+         "late by their own work", "steps", "most looks", "thousand points looked at, most",
+         "out of time", "error accepted, most N"}};
     const double seconds = run.pick(1.5, 0.4);
     for (const int n_points : {2000, 8000, 20000, 50000}) {
         for (const double rate_hz : {1000.0, 4000.0}) {
             for (const double budget_us : {0.0, kShareOfStep * 1.0e6 / rate_hz}) {
                 const Found found = play({n_points, rate_hz, budget_us}, seconds);
-                sheet.rows.push_back(
-                    {to_text(n_points), to_text(rate_hz), to_text(budget_us),
-                     to_text(found.cost.median_us), to_text(found.cost.p99_us),
-                     to_text(found.most_us), to_text(found.n_late), to_text(found.n_late_own),
-                     to_text(std::round(seconds * rate_hz)), to_text(found.most_looks),
-                     to_text(1.0e-3 * found.most_points), to_text(found.n_cut),
-                     to_text(found.most_error_N)});
+                sheet.add({n_points, rate_hz, budget_us, found.cost.median_us, found.cost.p99_us,
+                           found.most_us, found.n_late, found.n_late_own,
+                           std::round(seconds * rate_hz), found.most_looks,
+                           1.0e-3 * found.most_points, found.n_cut, found.most_error_N});
             }
         }
         run.progress(n_points / 50000.0, std::to_string(n_points) + " points");

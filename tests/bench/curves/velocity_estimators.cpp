@@ -1,12 +1,7 @@
 // Velocity estimators over an encoder: noise, lag, what a swing costs, and the damping that a wall may then have.
 #include "haptics/coupling/velocity_estimator.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/wall_trial.h"
-
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -57,15 +52,9 @@ double measure_lag_ms(const VelocitySettings& settings) {
 
 // The largest B of a wall of the program's stiffness under this hand.
 double find_damping(const VelocitySettings& settings, const HumanImpedance& human) {
-    z_width::WallTrial trial;
-    trial.arm = make_desktop_arm();
-    trial.arm.human = human;
-    trial.arm.dry_friction_N = 0.0;  // it would swallow the vibration
-    trial.arm.max_force_N = 10.0;
-    trial.start_m = 0.01;
+    z_width::WallTrial trial = z_width::make_tap(human);
     trial.velocity = settings;
     trial.stiffness_N_per_m = CouplingSettings{}.stiffness_N_per_m;
-    trial.press_m = 0.004;
     return z_width::find_largest_damping(trial).value_or(kNone);
 }
 
@@ -89,15 +78,13 @@ Cost measure_step(const Run& run, const VelocitySettings& settings) {
 
 CostPoint measure_point(const Run& run, const char* series, double knob_ms,
                         const VelocitySettings& settings) {
-    CostPoint point;
-    point.series = series;
-    point.knob = knob_ms;
-    point.error = measure_swing_error(settings, 0.01, 0.5);
-    point.cost = measure_step(run, settings);
-    point.extras = {measure_swing_error(settings, 0.0001, 0.5),
-                    measure_swing_error(settings, 0.05, 2.0), measure_lag_ms(settings),
-                    find_damping(settings, kFingertip), find_damping(settings, kArm)};
-    return point;
+    return {series,
+            knob_ms,
+            measure_swing_error(settings, 0.01, 0.5),
+            measure_step(run, settings),
+            {measure_swing_error(settings, 0.0001, 0.5), measure_swing_error(settings, 0.05, 2.0),
+             measure_lag_ms(settings), find_damping(settings, kFingertip),
+             find_damping(settings, kArm)}};
 }
 
 VelocitySettings make_settings(VelocityMethod method) {
@@ -141,18 +128,16 @@ LineChart draw_over_lag(const std::vector<CostPoint>& points) {
     chart.title = "Estimators of velocity: noise against lag";
     chart.work =
         "The same settings: the lag while a hand speeds up at 2 m/s^2, and the error while it "
-        "swings "
-        "1 cm at 0.5 Hz, over encoder steps of 55 um at 1 kHz.";
+        "swings 1 cm at 0.5 Hz, over encoder steps of 55 um at 1 kHz.";
     chart.advice =
         "Choose the lag that the wall's damping allows, then the method that is lowest there.";
     chart.x = {"lag in speeding up", "ms", true};
     chart.y = {"error in a slow swing, rms", "mm/s", true};
     for (const CostPoint& point : points) {
         if (chart.lines.empty() || chart.lines.back().name != point.series) {
-            chart.lines.push_back({point.series, LineStyle::measured, {}, {}});
+            chart.lines.push_back({point.series});
         }
-        chart.lines.back().x.push_back(point.extras[2]);
-        chart.lines.back().y.push_back(point.error);
+        chart.lines.back().add(point.extras[2], point.error);
     }
     return chart;
 }
@@ -180,9 +165,8 @@ Report run_velocity_estimators(Run& run) {
     curve.advice =
         "The adaptive window of 8 ms is the default: a Kalman filter of 4 ms errs less in slow "
         "swings (1.9 for 3.0 mm/s) at less lag and the same damping under a fingertip, but under "
-        "an arm it bears a fifth less. Take it "
-        "where hands move slowly and walls damp little; for more damping than either bears, pay "
-        "with lag: a low pass of 10 Hz, late by 16 ms.";
+        "an arm it bears a fifth less. Take it where hands move slowly and walls damp little; for "
+        "more damping than either bears, pay with lag: a low pass of 10 Hz, late by 16 ms.";
     return {curve, draw_over_lag(curve.points)};
 }
 

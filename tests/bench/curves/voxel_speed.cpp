@@ -3,15 +3,7 @@
 #include "haptics/math/rotation.h"
 #include "haptics/tool/voxel_sampling.h"
 #include "haptics/voxel/voxelise.h"
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/measure.h"
-#include "tests/bench/harness/registry.h"
-
-#include <array>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
+#include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {
 namespace {
@@ -127,10 +119,6 @@ Setup make_setup() {
     return setup;
 }
 
-double round_to(double value, double step) {
-    return step * std::round(value / step);
-}
-
 // One scene: every way and the limit in turn, so that all see the same machine.
 void measure_scene(const Run& run, const Scene& scene, const Setup& setup, Sheet& sheet) {
     const std::vector<RigidState> poses = make_poses(scene.apart_m);
@@ -167,10 +155,9 @@ void measure_scene(const Run& run, const Scene& scene, const Setup& setup, Sheet
     }
     const double least_us = summarise(limit_us).median_us;
     const auto add_row = [&](const std::string& name, const Cost& cost, std::size_t bytes) {
-        sheet.rows.push_back(
-            {scene.name, std::to_string(n_surface / kPoses), std::to_string(n_interior / kPoses),
-             name, to_text(round_to(cost.median_us, 0.01)), to_text(round_to(cost.p99_us, 0.01)),
-             to_text(round_to(cost.median_us / least_us, 0.01)), std::to_string(bytes)});
+        sheet.add({scene.name, n_surface / kPoses, n_interior / kPoses, name,
+                   rounded(cost.median_us, 2), rounded(cost.p99_us, 2),
+                   rounded(cost.median_us / least_us, 2), bytes});
     };
     add_row("limit: transform and one byte", summarise(limit_us), setup.grid->memory_bytes());
     for (std::size_t w = 0; w < setup.ways.size(); ++w) {
@@ -182,20 +169,16 @@ void measure_scene(const Run& run, const Scene& scene, const Setup& setup, Sheet
 
 Report run_voxel_speed(Run& run) {
     const Setup setup = make_setup();
-    Sheet sheet;
-    sheet.name = "voxel-speed";
-    sheet.title = "7782 points against 80^3 voxels";
-    sheet.work =
+    Sheet sheet{
+        "voxel-speed",
+        "7782 points against 80^3 voxels",
         "a bumpy ball of points rocks on a bumpy ball of voxels, 256 poses at 1 kHz, one thread; "
-        "microseconds a look "
-        "at all points with net force and torque. The limit carries the same points into the map "
-        "and reads one byte "
-        "each, no more, in the same run.";
-    sheet.advice =
+        "microseconds a look at all points with net force and torque. The limit carries the same "
+        "points into the map and reads one byte each, no more, in the same run.",
         "A byte a voxel is the fastest where it fits the second cache; a tree of depth 2 takes a "
-        "fraction of the memory.";
-    sheet.columns = {"scene",     "points in surface", "points inside",   "way",
-                     "median µs", "99 % µs",           "times the limit", "bytes"};
+        "fraction of the memory.",
+        {"scene", "points in surface", "points inside", "way", "median µs", "99 % µs",
+         "times the limit", "bytes"}};
     double done = 0.0;
     for (const Scene& scene : kScenes) {
         run.progress(done, scene.name);

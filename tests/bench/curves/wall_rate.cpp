@@ -1,10 +1,7 @@
 // Update rate against the largest stable wall: by theory for the worst hand, by eigenvalues and in time for given ones.
-#include "tests/bench/harness/csv.h"
-#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/curve.h"
 #include "tests/support/linear_wall.h"
 #include "tests/support/wall_trial.h"
-
-#include <vector>
 
 namespace fulcrum::bench {
 namespace {
@@ -14,42 +11,33 @@ using namespace z_width;
 constexpr double kDeviceDamping_Ns_per_m = 0.5;
 
 std::vector<double> choose_rates(const Run& run) {
-    return run.quick() ? std::vector<double>{500.0, 1000.0, 4000.0}
-                       : std::vector<double>{250.0,  350.0,  500.0,  700.0,  1000.0,
-                                             1400.0, 2000.0, 2800.0, 4000.0, 8000.0};
+    return run.pick<std::vector<double>>(
+        {250.0, 350.0, 500.0, 700.0, 1000.0, 1400.0, 2000.0, 2800.0, 4000.0, 8000.0},
+        {500.0, 1000.0, 4000.0});
 }
 
 // In time, on an arm with an encoder's steps.
-Line trace_rendered(const Run& run, const std::string& name, const HumanImpedance& human,
-                    double dry_friction_N) {
-    Line line{name, LineStyle::measured, choose_rates(run), {}};
-    for (const double rate_Hz : line.x) {
-        WallTrial trial;
-        trial.arm = make_desktop_arm();
-        trial.arm.human = human;
+void trace_rendered(const Run& run, const std::string& name, const HumanImpedance& human,
+                    double dry_friction_N, LineChart& chart) {
+    chart.trace(name, LineStyle::measured, choose_rates(run), [&](double rate_Hz) {
+        WallTrial trial = make_tap(human);
         trial.arm.damping_Ns_per_m = kDeviceDamping_Ns_per_m;
         trial.arm.dry_friction_N = dry_friction_N;
-        trial.arm.max_force_N = 10.0;
         trial.rate_Hz = rate_Hz;
-        trial.start_m = 0.01;
-        trial.press_m = 0.004;
-        line.y.push_back(find_largest_stiffness(trial).value_or(kNone));
-    }
-    return line;
+        return find_largest_stiffness(trial).value_or(kNone);
+    });
 }
 
 // By eigenvalues, both ways, without steps and dry friction.
-Line trace_linear(const Run& run, const std::string& name, double mass_kg,
-                  const HumanImpedance& human) {
-    Line line{name, LineStyle::dots, choose_rates(run), {}};
-    for (const double rate_Hz : line.x) {
+void trace_linear(const Run& run, const std::string& name, double mass_kg,
+                  const HumanImpedance& human, LineChart& chart) {
+    chart.trace(name, LineStyle::dots, choose_rates(run), [&](double rate_Hz) {
         LinearWall wall;
         wall.period_s = 1.0 / rate_Hz;
         wall.device_damping_Ns_per_m = kDeviceDamping_Ns_per_m;
         wall.modes = {{mass_kg + human.mass_kg, human.damping_Ns_per_m, human.stiffness_N_per_m}};
-        line.y.push_back(find_linear_boundary(wall, 1e-4));
-    }
-    return line;
+        return find_linear_boundary(wall, 1e-4);
+    });
 }
 
 Report run_wall_rate(Run& run) {
@@ -68,23 +56,18 @@ Report run_wall_rate(Run& run) {
         "times the rate, a fingertip several times more.";
     chart.x = {"rate", "Hz", true};
     chart.y = {"largest stable stiffness", "N/m", true};
-    Line theory{"passive: 2 b / T", LineStyle::theory, choose_rates(run), {}};
-    for (const double rate_Hz : theory.x) {
-        theory.y.push_back(2.0 * kDeviceDamping_Ns_per_m * rate_Hz);
-    }
-    chart.lines.push_back(theory);
-    chart.lines.push_back(
-        trace_linear(run, "30 kg that nobody damps, eigenvalues", kHeavy_kg, kNobody));
-    chart.lines.push_back(trace_linear(run, "fingertip, eigenvalues", 0.045, kFingertip));
+    chart.trace("passive: 2 b / T", LineStyle::theory, choose_rates(run),
+                [](double rate_Hz) { return 2.0 * kDeviceDamping_Ns_per_m * rate_Hz; });
+    trace_linear(run, "30 kg that nobody damps, eigenvalues", kHeavy_kg, kNobody, chart);
+    trace_linear(run, "fingertip, eigenvalues", 0.045, kFingertip, chart);
     run.progress(0.1, "in time");
-    chart.lines.push_back(trace_rendered(run, "fingertip", kFingertip, 0.0));
+    trace_rendered(run, "fingertip", kFingertip, 0.0, chart);
     run.progress(0.3);
-    chart.lines.push_back(trace_rendered(run, "arm", kArm, 0.0));
+    trace_rendered(run, "arm", kArm, 0.0, chart);
     run.progress(0.5);
-    chart.lines.push_back(trace_rendered(run, "posture", kPosture, 0.0));
+    trace_rendered(run, "posture", kPosture, 0.0, chart);
     run.progress(0.7);
-    chart.lines.push_back(
-        trace_rendered(run, "fingertip, 0.26 N of dry friction", kFingertip, 0.26));
+    trace_rendered(run, "fingertip, 0.26 N of dry friction", kFingertip, 0.26, chart);
     return {chart};
 }
 

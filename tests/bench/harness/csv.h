@@ -20,9 +20,6 @@ namespace fulcrum::bench {
 /// Reads what `to_csv` wrote; `file` is its name for errors. The environment's lines are left out.
 [[nodiscard]] Expected<Exhibit> read_csv(std::string_view text, const std::string& file);
 
-/// A number as short as it is exact to six digits: "0.25", "1.2e-09"; "" when it is not finite.
-[[nodiscard]] std::string to_text(double value);
-
 /// The exhibit's file stem and title.
 [[nodiscard]] const std::string& name_of(const Exhibit& exhibit);
 [[nodiscard]] const std::string& title_of(const Exhibit& exhibit);

@@ -39,35 +39,41 @@ struct Took {
     double own_us = 0.0;
 };
 
-/// Runs `step` once.
+/// Runs `step` once, and asks the clock alone.
 template <class Step>
-[[nodiscard]] Took time_once(Step step) {
+[[nodiscard]] double time_by_clock_us(Step&& step) {
     using Clock = std::chrono::steady_clock;
-    const double own_before_us = thread_time_us();
     const auto before = Clock::now();
     step();
     const std::chrono::duration<double, std::micro> took = Clock::now() - before;
+    return took.count();
+}
+
+/// Runs `step` once.
+template <class Step>
+[[nodiscard]] Took time_once(Step step) {
+    const double own_before_us = thread_time_us();
+    const double took_us = time_by_clock_us(step);
     const double asked_us = thread_time_us();
     // What the question itself takes comes off.
     const double again_us = thread_time_us();
-    return {took.count(), std::max(0.0, asked_us - own_before_us - (again_us - asked_us))};
+    return {took_us, std::max(0.0, asked_us - own_before_us - (again_us - asked_us))};
 }
 
 /// Calls `step()` warm_up times, then samples x batch times; adds the mean of each batch, microseconds a step, to `us`.
 template <class Step>
 void time_batches(Step step, const Timing& timing, std::vector<double>& us) {
-    using Clock = std::chrono::steady_clock;
     for (int i = 0; i < timing.warm_up; ++i) {
         step();
     }
     us.reserve(us.size() + static_cast<std::size_t>(timing.samples));
     for (int i = 0; i < timing.samples; ++i) {
-        const auto before = Clock::now();
-        for (int k = 0; k < timing.batch; ++k) {
-            step();
-        }
-        const std::chrono::duration<double, std::micro> took = Clock::now() - before;
-        us.push_back(took.count() / timing.batch);
+        const double batch_us = time_by_clock_us([&] {
+            for (int k = 0; k < timing.batch; ++k) {
+                step();
+            }
+        });
+        us.push_back(batch_us / timing.batch);
     }
 }
 

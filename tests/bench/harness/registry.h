@@ -6,6 +6,7 @@
 
 #include "tests/bench/harness/report.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ class Run {
     [[nodiscard]] const std::string& text_file() const { return text_file_; }
     /// Tells the person who waits how far it has come: `share` 0 to 1.
     void progress(double share, const std::string& what = {}) const { say_(share, what); }
+    /// The same: so many of so many are done.
+    void progress(std::size_t done, std::size_t all, const std::string& what) const {
+        say_(static_cast<double>(done) / static_cast<double>(all), what);
+    }
     /// `full` or, in a quick run, `rough`.
     template <class T>
     [[nodiscard]] T pick(T full, T rough) const {

@@ -6,9 +6,14 @@
 // Each becomes a CSV file, an SVG file (sheets have none) and a section of the HTML page.
 #pragma once
 
+#include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -16,6 +21,15 @@ namespace fulcrum::bench {
 
 /// A value that could not be had: the run was unstable, or the peer has no such thing. Drawn as a gap, written as "".
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A number as short as it is exact to six digits: "0.25", "1.2e-09"; "" when it is not finite.
+[[nodiscard]] std::string to_text(double value);
+
+/// To so many digits behind the point, and never "-0".
+[[nodiscard]] inline double rounded(double value, int digits) {
+    const double scale = std::pow(10.0, digits);
+    return std::round(scale * value) / scale + 0.0;
+}
 
 /// What one step costs.
 struct Cost {
@@ -57,6 +71,11 @@ struct CostCurve {
     std::vector<CostPoint> points;
     /// What a point's time is for: "step" (default) or another word such as "simulated second".
     std::string time_is_per = "step";
+
+    void add(const std::string& series, double of_knob, double of_error, const Cost& cost,
+             std::vector<double> of_extras = {}) {
+        points.push_back({series, of_knob, of_error, cost, std::move(of_extras)});
+    }
 };
 
 /// How a line is drawn.
@@ -65,8 +84,18 @@ enum class LineStyle : unsigned char { measured, theory, dots };
 struct Line {
     std::string name;
     LineStyle style = LineStyle::measured;
-    std::vector<double> x, y;  ///< of one length; kNone in y makes a gap
+    std::vector<double> x{}, y{};  ///< of one length; kNone in y makes a gap
+
+    void add(double at_x, double at_y) {
+        x.push_back(at_x);
+        y.push_back(at_y);
+    }
 };
+
+/// p of y ~ x^p, between the line's first and last point.
+[[nodiscard]] inline double find_power(const Line& line) {
+    return std::log(line.y.back() / line.y.front()) / std::log(line.x.back() / line.x.front());
+}
 
 struct LineChart {
     std::string name, title;
@@ -75,6 +104,36 @@ struct LineChart {
     std::string advice;
     Axis x, y;
     std::vector<Line> lines;  ///< a theory's line right after a measured one takes its colour
+
+    /// A line of `y(x)`.
+    template <class Y>
+    void trace(const std::string& line, LineStyle style, const std::vector<double>& xs, Y of) {
+        Line traced{line, style};
+        for (const double at_x : xs) {
+            traced.add(at_x, of(at_x));
+        }
+        lines.push_back(std::move(traced));
+    }
+    /// A line through those of `rows` that belong to it: what `x` and `y` tell of each.
+    template <class Rows, class Belongs, class X, class Y>
+    void draw(const std::string& line, const Rows& rows, Belongs belongs, X of_x, Y of_y) {
+        Line drawn{line};
+        for (const auto& row : rows) {
+            if (belongs(row)) {
+                drawn.add(of_x(row), of_y(row));
+            }
+        }
+        lines.push_back(std::move(drawn));
+    }
+};
+
+/// A sheet's cell: text as it is, a number as `to_text` writes it, a whole one in full.
+struct Cell : std::string {
+    Cell(std::string text) : std::string(std::move(text)) {}
+    Cell(const char* text) : std::string(text) {}
+    Cell(std::string_view text) : std::string(text) {}
+    Cell(double number) : std::string(to_text(number)) {}
+    Cell(std::integral auto number) : std::string(std::to_string(number)) {}
 };
 
 struct Sheet {
@@ -82,7 +141,9 @@ struct Sheet {
     std::string work;
     std::string advice;
     std::vector<std::string> columns;
-    std::vector<std::vector<std::string>> rows;  ///< each as long as columns
+    std::vector<std::vector<std::string>> rows{};  ///< each as long as columns
+
+    void add(std::initializer_list<Cell> cells) { rows.emplace_back(cells.begin(), cells.end()); }
 };
 
 using Exhibit = std::variant<CostCurve, LineChart, Sheet>;

@@ -8,7 +8,7 @@ namespace fulcrum::bench {
 namespace {
 
 std::vector<CostPoint> measure(Run& run) {
-    return measure_one_by_one(
+    return measure_points(
         run, "NanoVDB 10.0.1, trilinear", [](const FieldPointsTask& task, const auto& measure) {
             const auto handle = nanovdb::openToNanoVDB(*make_openvdb_field(task));
             const auto accessor = handle.grid<float>()->getAccessor();

@@ -1,10 +1,13 @@
-// FCL: its continuous collision of triangles and meshes (bounding volumes OBBRSS), with the same motion as ours: straight on, turning evenly.
-// Its tolerance is one of time, a share of the way.
+// FCL, bounding volumes OBBRSS: the nearest point of a mesh, and continuous collision of triangles and meshes with the same motion as
+// ours: straight on, turning evenly. The tolerance of the latter is one of time, a share of the way.
 #include "haptics/math/to_eigen.h"
 #include "tests/bench/curves/continuous_ways.h"
+#include "tests/bench/peers/felt_ball.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/continuous_collision.h>
+#include <fcl/narrowphase/distance.h>
 #include <memory>
 #include <span>
 
@@ -21,6 +24,17 @@ std::shared_ptr<Model> make_model(std::span<const Triangle> triangles) {
     }
     model->endModel();
     return model;
+}
+
+std::vector<Triangle> list_triangles(const TriangleMesh& mesh) {
+    std::vector<Triangle> triangles;
+    for (const TriangleCorners& t : mesh.triangles()) {
+        const auto corner = [&](std::int32_t i) {
+            return mesh.vertices_B()[static_cast<std::size_t>(i)];
+        };
+        triangles.push_back({corner(t[0]), corner(t[1]), corner(t[2])});
+    }
+    return triangles;
 }
 
 fcl::Transform3d to_transform(const Pose& pose) {
@@ -72,14 +86,7 @@ std::vector<CostPoint> measure_pairs_of_fcl(Run& run) {
 
 std::vector<CostPoint> measure_meshes_of_fcl(Run& run) {
     const MeshWays& ways = get_mesh_ways(37);
-    std::vector<Triangle> triangles;
-    for (const TriangleCorners& t : ways.mesh.triangles()) {
-        const auto corner = [&](std::int32_t i) {
-            return ways.mesh.vertices_B()[static_cast<std::size_t>(i)];
-        };
-        triangles.push_back({corner(t[0]), corner(t[1]), corner(t[2])});
-    }
-    const auto model = make_model(triangles);
+    const auto model = make_model(list_triangles(ways.mesh));
     const auto measure = [&](const std::string& series, fcl::CCDSolverType solver, double toc_error,
                              std::size_t n_ways) {
         return measure_ways(ways, series, toc_error, n_ways, [&](std::size_t i) {
@@ -96,6 +103,28 @@ const std::string kNote =
 const PeerRegistration kPairs{{"FCL 0.7.0", "continuous-collision", measure_pairs_of_fcl, kNote}};
 const PeerRegistration kMeshes{
     {"FCL 0.7.0", "continuous-collision-meshes", measure_meshes_of_fcl, kNote}};
+
+// The nearest point of the mesh, as a tiny ball at the hand finds it. It remembers nothing from step to step, so it cannot tell inside
+// from outside: depth is distance.
+FeltBall make(const TriangleMesh& mesh, double /*edge_m*/) {
+    constexpr double kTiny_m = 1.0e-6;
+    auto model = make_model(list_triangles(mesh));
+    auto point = std::make_shared<fcl::Sphered>(kTiny_m);
+    const auto bytes = static_cast<std::size_t>(model->memUsage(0));
+    return {[=](const Vector3& hand_W) {
+                fcl::Transform3d at = fcl::Transform3d::Identity();
+                at.translation() = to_eigen(hand_W);
+                const fcl::DistanceRequestd request(true);
+                fcl::DistanceResultd result;
+                fcl::distance(model.get(), fcl::Transform3d::Identity(), point.get(), at, request,
+                              result);
+                const Vector3 stretch_m = from_eigen(result.nearest_points[0]) - hand_W;
+                return Felt{kStiffness_N_per_m * stretch_m, stretch_m.normalized(), true};
+            },
+            bytes};
+}
+
+const FeltBallRegistration kFcl{"FCL 0.7.0, nearest point", make};
 
 }  // namespace
 }  // namespace fulcrum::bench
