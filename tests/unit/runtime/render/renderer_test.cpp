@@ -6,106 +6,90 @@ using namespace fulcrum;
 using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
-TEST_CASE("picture: numbers that are not finite, huge or upside down break nothing") {
+TEST_CASE("picture: nothing breaks it, and its edges are smooth") {
     const auto studio = open_studio();
     if (!studio) {
         return;
     }
     runtime::View view = nothing();
-    const Image empty = studio->draw(view);
-    view.bodies = {body("red", {kNan, 0.0, 0.0}), body("red", {0.0, 1e300, 0.0})};
-    view.bodies.push_back(body("red", {0.0, 0.4, 0.0}));
-    view.bodies.back().scale = Vector3(0.0, 1.0, kNan);
-    view.bodies.push_back(body("red", {0.0, 0.4, 0.0}));
-    view.bodies.back().pose_W.orientation.coeffs().setConstant(kNan);
-    view.tool_visible = true;
-    view.tool = body("red", {0.0, -kNan, 0.0});
-    view.ghost_visible = true;
-    view.ghost_pose_W.position.setConstant(kNan);
-    view.force = {true, {0.0, 0.0, 0.0}, {kNan, 0.0, 0.0}, "nan"};
-    CHECK(studio->draw(view).rgba == empty.rgba);
-    view.camera.eye_W.setConstant(kNan);
-    view.camera.vertical_angle_deg = -1e300;
-    view.ground_height_m = kNan;
-    view.stars = 99;
-    view.level = -5;
-    view.score = std::numeric_limits<int>::min();
-    (void)studio->draw(view);
-    CHECK(glGetError() == GL_NO_ERROR);
-}
-
-TEST_CASE("picture: hostile words break nothing") {
-    const auto studio = open_studio();
-    if (!studio) {
-        return;
+    SECTION("numbers that are not finite, huge or upside down break nothing") {
+        const Image empty = studio->draw(view);
+        view.bodies = {body("red", {kNan, 0.0, 0.0}), body("red", {0.0, 1e300, 0.0})};
+        view.bodies.push_back(body("red", {0.0, 0.4, 0.0}));
+        view.bodies.back().scale = Vector3(0.0, 1.0, kNan);
+        view.bodies.push_back(body("red", {0.0, 0.4, 0.0}));
+        view.bodies.back().pose_W.orientation.coeffs().setConstant(kNan);
+        view.tool_visible = true;
+        view.tool = body("red", {0.0, -kNan, 0.0});
+        view.ghost_visible = true;
+        view.ghost_pose_W.position.setConstant(kNan);
+        view.force = {true, {0.0, 0.0, 0.0}, {kNan, 0.0, 0.0}, "nan"};
+        CHECK(studio->draw(view).rgba == empty.rgba);
+        view.camera.eye_W.setConstant(kNan);
+        view.camera.vertical_angle_deg = -1e300;
+        view.ground_height_m = kNan;
+        view.stars = 99;
+        view.level = -5;
+        view.score = std::numeric_limits<int>::min();
+        (void)studio->draw(view);
+        CHECK(glGetError() == GL_NO_ERROR);
     }
-    std::string bytes;
-    for (int i = 0; i < 50'000; ++i) {
-        bytes += static_cast<char>(i * 31 + i / 7);
+    SECTION("hostile words break nothing") {
+        std::string bytes;
+        for (int i = 0; i < 50'000; ++i) {
+            bytes += static_cast<char>(i * 31 + i / 7);
+        }
+        for (const std::string& words :
+             {bytes, std::string(100'000, '*'), std::string(5'000, 'W'),
+              std::string("\xF0\x9F\x8D\x8E \xED\x95\x9C\xEA\xB5\xAD \xD7\xA9\xCC\x81")}) {
+            view.bodies = {body("red", {0.0, 0.4, 0.0})};
+            view.bodies[0].label = words;
+            view.title = view.caption = view.feedback = view.input = view.banner = words;
+            view.level_title = view.force.text = words;
+            view.input_visible = true;
+            view.force.visible = true;
+            view.force.force_W = Vector3(0.0, 2.0, 0.0);
+            (void)studio->draw(view);
+            view.menu = {{words, words, words}};
+            (void)studio->draw(view);
+            CHECK(glGetError() == GL_NO_ERROR);
+        }
     }
-    for (const std::string& words :
-         {bytes, std::string(100'000, '*'), std::string(5'000, 'W'),
-          std::string("\xF0\x9F\x8D\x8E \xED\x95\x9C\xEA\xB5\xAD \xD7\xA9\xCC\x81")}) {
-        runtime::View view = nothing();
+    SECTION("any size is drawn, none at all is left alone") {
+        view.caption = "Catch the fruit.";
         view.bodies = {body("red", {0.0, 0.4, 0.0})};
-        view.bodies[0].label = words;
-        view.title = view.caption = view.feedback = view.input = view.banner = words;
-        view.level_title = view.force.text = words;
-        view.input_visible = true;
-        view.force.visible = true;
-        view.force.force_W = Vector3(0.0, 2.0, 0.0);
-        (void)studio->draw(view);
-        view.menu = {{words, words, words}};
-        (void)studio->draw(view);
-        CHECK(glGetError() == GL_NO_ERROR);
+        const Image before = studio->draw(view);
+        studio->renderer->draw(view, 0, 0);
+        studio->renderer->draw(view, -5, 100);
+        CHECK(studio->screen->read_back().rgba == before.rgba);
+        for (const auto& [width, height] : {std::pair{1, 1}, {3, 400}, {400, 3}, {3840, 2160}}) {
+            REQUIRE(studio->screen->resize(width, height));
+            const Image image = studio->draw(view);
+            CHECK(image.width == width);
+            CHECK(image.height == height);
+            CHECK(glGetError() == GL_NO_ERROR);
+            if (width > 1000) {
+                CHECK(pixel_at(image, view, {0.0, 0.4, 0.1})[0] > 150);
+            }
+        }
     }
-}
-
-TEST_CASE("picture: any size is drawn, none at all is left alone") {
-    const auto studio = open_studio();
-    if (!studio) {
-        return;
-    }
-    runtime::View view = nothing();
-    view.caption = "Catch the fruit.";
-    view.bodies = {body("red", {0.0, 0.4, 0.0})};
-    const Image before = studio->draw(view);
-    studio->renderer->draw(view, 0, 0);
-    studio->renderer->draw(view, -5, 100);
-    CHECK(studio->screen->read_back().rgba == before.rgba);
-    for (const auto& [width, height] : {std::pair{1, 1}, {3, 400}, {400, 3}, {3840, 2160}}) {
-        REQUIRE(studio->screen->resize(width, height));
+    SECTION("edges are smooth") {
+        view.bodies = {body("red", {0.0, 0.45, 0.0})};
         const Image image = studio->draw(view);
-        CHECK(image.width == width);
-        CHECK(image.height == height);
-        CHECK(glGetError() == GL_NO_ERROR);
-        if (width > 1000) {
-            CHECK(pixel_at(image, view, {0.0, 0.4, 0.1})[0] > 150);
+        // Going out of the ball, some pixel is neither the ball's nor the background's.
+        int between = 0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 1; x + 1 < kWidth; ++x) {
+                const auto left = pixel(image, x - 1, y);
+                const auto here = pixel(image, x, y);
+                const auto right = pixel(image, x + 1, y);
+                const int low = std::min(left[1], right[1]);
+                const int high = std::max(left[1], right[1]);
+                between += high - low > 100 && here[1] > low + 25 && here[1] < high - 25 ? 1 : 0;
+            }
         }
+        CHECK(between > 30);
     }
-}
-
-TEST_CASE("picture: edges are smooth") {
-    const auto studio = open_studio();
-    if (!studio) {
-        return;
-    }
-    runtime::View view = nothing();
-    view.bodies = {body("red", {0.0, 0.45, 0.0})};
-    const Image image = studio->draw(view);
-    // Going out of the ball, some pixel is neither the ball's nor the background's.
-    int between = 0;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 1; x + 1 < kWidth; ++x) {
-            const auto left = pixel(image, x - 1, y);
-            const auto here = pixel(image, x, y);
-            const auto right = pixel(image, x + 1, y);
-            const int low = std::min(left[1], right[1]);
-            const int high = std::max(left[1], right[1]);
-            between += high - low > 100 && here[1] > low + 25 && here[1] < high - 25 ? 1 : 0;
-        }
-    }
-    CHECK(between > 30);
 }
 
 TEST_CASE("renderer: wrong settings and models are refused in one sentence") {

@@ -5,6 +5,10 @@
 #include "runtime/render/renderer.h"
 #include "runtime/scene/view.h"
 
+#include <catch2/catch.hpp>
+
+#include <vector>
+
 namespace fulcrum::runtime {
 
 inline Font andika() {
@@ -34,6 +38,27 @@ inline bool overlap(const Box& a, const Box& b) {
 inline bool inside(const Box& box, const Measure& m) {
     return box.x >= -0.01F && box.y >= -0.01F && box.right() <= m.width_px + 0.01F &&
            box.bottom() <= m.height_px + 0.01F;
+}
+
+/// Each lies inside the picture, and none over another.
+inline void check_apart(const std::vector<Box>& boxes, const Measure& measure) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        INFO(measure.width_px << " x " << measure.height_px << ", box " << i);
+        CHECK(inside(boxes[i], measure));
+        for (std::size_t j = 0; j < i; ++j) {
+            CHECK_FALSE(overlap(boxes[i], boxes[j]));
+        }
+    }
+}
+
+/// The box, or the paper, of each.
+template <class Things, class Which>
+std::vector<Box> boxes_of(const Things& things, Which which) {
+    std::vector<Box> boxes;
+    for (const auto& thing : things) {
+        boxes.push_back(thing.*which);
+    }
+    return boxes;
 }
 
 }  // namespace fulcrum::runtime

@@ -48,13 +48,7 @@ TEST_CASE(
             const PanelLayout layout =
                 lay_out_panels(view, font, measure, {}, {view.feedback, is_low});
             const std::vector<Box> boxes = layout.shown();
-            for (std::size_t i = 0; i < boxes.size(); ++i) {
-                INFO(width << " x " << height << ", " << i);
-                CHECK(inside(boxes[i], measure));
-                for (std::size_t j = 0; j < i; ++j) {
-                    CHECK_FALSE(overlap(boxes[i], boxes[j]));
-                }
-            }
+            check_apart(boxes, measure);
             // Where there is room at all the strongest shares are there.
             if (width == 1280) {
                 CHECK(layout.why.rows.size() >= 2);
@@ -106,13 +100,7 @@ TEST_CASE("why panel: it moves away from the hand, stays there, and is in nobody
         CHECK_FALSE(overlap(right.why.box, under));
         CHECK(right.why.rows.size() == left.why.rows.size());
         CHECK(right.why.rows[0].bar.x > right.why.box.x);
-        const std::vector<Box> boxes = right.shown();
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            CHECK(inside(boxes[i], measure));
-            for (std::size_t j = 0; j < i; ++j) {
-                CHECK_FALSE(overlap(boxes[i], boxes[j]));
-            }
-        }
+        check_apart(right.shown(), measure);
         // The hand is gone: it stays. The hand comes here too: it goes back. Where it is asked for anew it begins on the left.
         CHECK(laid({}, right.moved).why.box.x == right.why.box.x);
         CHECK(laid(right.why.box, right.moved).why.box.x == left.why.box.x);

@@ -19,6 +19,12 @@ Vector3f moved(const Placement& placement, const Vector3f& point) {
     return (placement.world_from_model * (Vector4f() << point, 1.0F).finished()).head<3>();
 }
 
+const Camera kCamera(CameraDescription{}, 1280, 720);
+
+double length_m(const Arrow& arrow) {
+    return (arrow.tip_W - arrow.tail_W).norm();
+}
+
 ViewForce force(const Vector3& newtons) {
     return {true, Vector3(0.1, 0.2, 0.3), newtons, "f"};
 }
@@ -79,15 +85,13 @@ TEST_CASE("placement: bounds of a box") {
 }
 
 TEST_CASE("arrow: twice the newtons is twice the length, from the same tail, along the force") {
-    const Camera camera(CameraDescription{}, 1280, 720);
-    const auto two = arrow_for(force(Vector3(0.0, -2.0, 0.0)), camera);
-    const auto four = arrow_for(force(Vector3(0.0, -4.0, 0.0)), camera);
+    const auto two = arrow_for(force(Vector3(0.0, -2.0, 0.0)), kCamera);
+    const auto four = arrow_for(force(Vector3(0.0, -4.0, 0.0)), kCamera);
     REQUIRE(two);
     REQUIRE(four);
     CHECK(two->tail_W.isApprox(Vector3(0.1, 0.2, 0.3)));
-    const double length_m = (two->tip_W - two->tail_W).norm();
-    CHECK(length_m == Approx(kLengthPerNewton * 2.0 * camera.distance_m()));
-    CHECK((four->tip_W - four->tail_W).norm() == Approx(2.0 * length_m));
+    CHECK(length_m(*two) == Approx(kLengthPerNewton * 2.0 * kCamera.distance_m()));
+    CHECK(length_m(*four) == Approx(2.0 * length_m(*two)));
     CHECK((two->tip_W - two->tail_W).normalized().isApprox(-Vector3::UnitY()));
     // The drawn tip is where it is said to be.
     CHECK(moved(two->head, {0, 1, 0}).cast<double>().isApprox(two->tip_W, 1e-5));
@@ -95,24 +99,22 @@ TEST_CASE("arrow: twice the newtons is twice the length, from the same tail, alo
 }
 
 TEST_CASE("arrow: small forces have none, large ones stay in the picture") {
-    const Camera camera(CameraDescription{}, 1280, 720);
-    CHECK_FALSE(arrow_for(force(Vector3::Zero()), camera));
-    CHECK_FALSE(arrow_for(force(Vector3(0.0, 0.01, 0.0)), camera));
-    CHECK_FALSE(arrow_for(force(Vector3(0.0, kNan, 0.0)), camera));
+    CHECK_FALSE(arrow_for(force(Vector3::Zero()), kCamera));
+    CHECK_FALSE(arrow_for(force(Vector3(0.0, 0.01, 0.0)), kCamera));
+    CHECK_FALSE(arrow_for(force(Vector3(0.0, kNan, 0.0)), kCamera));
     ViewForce unseen = force(Vector3(0.0, 1.0, 0.0));
     unseen.visible = false;
-    CHECK_FALSE(arrow_for(unseen, camera));
-    const auto huge = arrow_for(force(Vector3(1e200, 1e200, 0.0)), camera);
+    CHECK_FALSE(arrow_for(unseen, kCamera));
+    const auto huge = arrow_for(force(Vector3(1e200, 1e200, 0.0)), kCamera);
     REQUIRE(huge);
-    CHECK((huge->tip_W - huge->tail_W).norm() <= kLongestArrow * camera.distance_m() + 1e-9);
-    const auto upwards = arrow_for(force(Vector3(0.0, 3.0, 0.0)), camera);
+    CHECK(length_m(*huge) <= kLongestArrow * kCamera.distance_m() + 1e-9);
+    const auto upwards = arrow_for(force(Vector3(0.0, 3.0, 0.0)), kCamera);
     REQUIRE(upwards);
     CHECK(upwards->tip_W.y() > upwards->tail_W.y());
 }
 
 TEST_CASE("light: what stands on the floor before the camera is inside its map") {
-    const Camera camera(CameraDescription{}, 1280, 720);
-    const Light light = light_for(camera, 0.0, 1024);
+    const Light light = light_for(kCamera, 0.0, 1024);
     for (const auto& [x, y, z] :
          {std::array{0.0F, 0.0F, 0.0F}, {0.8F, 0.0F, 0.8F}, {-0.5F, 1.2F, 0.3F}}) {
         const Vector3f place = (light.shadow_from_world * Vector4f(x, y, z, 1.0F)).head<3>();
@@ -126,11 +128,10 @@ TEST_CASE("light: what stands on the floor before the camera is inside its map")
         return (light.shadow_from_world * Vector4f(0.0F, y, 0.0F, 1.0F)).z();
     };
     CHECK(depth(0.5F) < depth(0.0F));
-    CHECK(light_for(camera, kNan, 1024).clip_from_world.allFinite());
+    CHECK(light_for(kCamera, kNan, 1024).clip_from_world.allFinite());
 }
 
 TEST_CASE("arrow: forces that are compared are drawn to one scale") {
-    const Camera camera({}, 1280, 720);
     std::vector<ViewTorque> torques(2);
     for (ViewTorque& torque : torques) {
         torque.force.visible = true;
@@ -141,42 +142,37 @@ TEST_CASE("arrow: forces that are compared are drawn to one scale") {
     torques[0].force.force_W = Vector3(0, -10, 0);
     torques[1].force.force_W = Vector3(0, -20, 0);
     const double scale = common_scale(torques);
-    const auto length_m = [&](const ViewTorque& torque) {
-        const auto arrow = arrow_for(torque.force, camera, {.scale = scale});
+    const auto long_m = [&](const ViewTorque& torque) {
+        const auto arrow = arrow_for(torque.force, kCamera, {.scale = scale});
         REQUIRE(arrow);
-        return (arrow->tip_W - arrow->tail_W).norm();
+        return length_m(*arrow);
     };
-    CHECK(length_m(torques[1]) == Approx(kLongestArrow * camera.distance_m()));
-    CHECK(length_m(torques[1]) == Approx(2.0 * length_m(torques[0])));
+    CHECK(long_m(torques[1]) == Approx(kLongestArrow * kCamera.distance_m()));
+    CHECK(long_m(torques[1]) == Approx(2.0 * long_m(torques[0])));
     torques[1].force.force_W.x() = std::numeric_limits<double>::quiet_NaN();
     CHECK(common_scale(torques) == Approx(kLongestForce_N / 10.0));
     torques[1].force.look = ForceLook::load;
     torques[1].force.force_W = Vector3(0, -1, 0);
-    CHECK(arrow_for(torques[1].force, camera)->look == ForceLook::load);
+    CHECK(arrow_for(torques[1].force, kCamera)->look == ForceLook::load);
 }
 
 TEST_CASE("arrow: forces on one thing are slim, as long as may be, and keep their proportions") {
-    const Camera camera({}, 1280, 720);
-    const double most_m = kLongestArrow * camera.distance_m();
+    const double most_m = kLongestArrow * kCamera.distance_m();
     std::vector<ViewForce> forces{force({0.0, 4.0, 0.0}), force({1.0, 0.0, 0.0}),
                                   force({0.0, -0.3, 0.0})};
     const auto draw = [&](const ViewForce& one) {
-        return *arrow_for(one, camera, style_of_balance(forces));
+        return *arrow_for(one, kCamera, style_of_balance(forces));
     };
-    const auto length_m = [&](const ViewForce& one) {
-        const Arrow arrow = draw(one);
-        return (arrow.tip_W - arrow.tail_W).norm();
-    };
-    CHECK(length_m(forces[0]) == Approx(most_m));
-    CHECK(length_m(forces[1]) == Approx(most_m / 4.0));
+    CHECK(length_m(draw(forces[0])) == Approx(most_m));
+    CHECK(length_m(draw(forces[1])) == Approx(most_m / 4.0));
     // The weight of a kite is shorter than the head of an arrow alone.
-    CHECK(length_m(forces[2]) < length_m(forces[1]));
-    CHECK(draw(forces[0]).radius_m < 0.6 * arrow_for(forces[0], camera)->radius_m);
+    CHECK(length_m(draw(forces[2])) < length_m(draw(forces[1])));
+    CHECK(draw(forces[0]).radius_m < 0.6 * arrow_for(forces[0], kCamera)->radius_m);
     // Weak ones are not blown up without end, strong ones shrink, and what cannot be drawn counts for nothing.
     forces[0].force_W.y() = 0.5;
     CHECK(style_of_balance(forces).scale == kMostStretch);
     forces[0].force_W.y() = 12.0;
-    CHECK(length_m(forces[0]) == Approx(most_m));
+    CHECK(length_m(draw(forces[0])) == Approx(most_m));
     forces[1].force_W.x() = kNan;
     forces[2].visible = false;
     CHECK(style_of_balance(forces).scale == Approx(kLongestForce_N / 12.0));

@@ -44,30 +44,106 @@ runtime::View without_tool() {
 
 }  // namespace
 
-TEST_CASE("content: a body that cannot be drawn is left out, the others stay") {
+TEST_CASE("content: what is drawn of bodies, and marks and labels where they are") {
     runtime::View view = without_tool();
-    view.bodies = {body_at(0.0, 0.5, 0.0), body_at(kNan, 0.5, 0.0), body_at(0.2, 0.5, 0.0)};
-    view.bodies[2].highlight = kNan;
-    view.bodies[1].label = "lost";
-    const SceneContent content = read(view);
-    REQUIRE(content.items.size() == 2);
-    CHECK(content.marks.size() == 2);
-    CHECK(content.labels.empty());
-    CHECK(content.items[1].highlight == 0.0F);
-}
-
-TEST_CASE("content: the mark lies straight below, with the height above the floor") {
-    runtime::View view = without_tool();
-    view.ground_height_m = 0.2;
-    view.bodies = {body_at(0.3, 0.8, -0.1)};
-    const SceneContent content = read(view);
-    REQUIRE(content.marks.size() == 1);
-    CHECK(content.marks[0].centre_W.x() == Approx(0.3));
-    CHECK(content.marks[0].centre_W.z() == Approx(-0.1));
-    CHECK(content.marks[0].height_m == Approx(0.5));
-    CHECK_FALSE(content.marks[0].dashed);
-    view.bodies = {body_at(0.0, -1.0, 0.0)};
-    CHECK(read(view).marks.empty());
+    SECTION("a body that cannot be drawn is left out, the others stay") {
+        view.bodies = {body_at(0.0, 0.5, 0.0), body_at(kNan, 0.5, 0.0), body_at(0.2, 0.5, 0.0)};
+        view.bodies[2].highlight = kNan;
+        view.bodies[1].label = "lost";
+        const SceneContent content = read(view);
+        REQUIRE(content.items.size() == 2);
+        CHECK(content.marks.size() == 2);
+        CHECK(content.labels.empty());
+        CHECK(content.items[1].highlight == 0.0F);
+    }
+    SECTION("the mark lies straight below, with the height above the floor") {
+        view.ground_height_m = 0.2;
+        view.bodies = {body_at(0.3, 0.8, -0.1)};
+        const SceneContent content = read(view);
+        REQUIRE(content.marks.size() == 1);
+        CHECK(content.marks[0].centre_W.x() == Approx(0.3));
+        CHECK(content.marks[0].centre_W.z() == Approx(-0.1));
+        CHECK(content.marks[0].height_m == Approx(0.5));
+        CHECK_FALSE(content.marks[0].dashed);
+        view.bodies = {body_at(0.0, -1.0, 0.0)};
+        CHECK(read(view).marks.empty());
+    }
+    SECTION("far things have no mark, and how deep one is sunk is known") {
+        view.ground_height_m = 0.5;
+        view.bodies = {body_at(0.0, 0.58, 0.0), body_at(0.0, 0.58, -30.0), body_at(0.0, 0.7, 0.0)};
+        const SceneContent content = read(view);
+        REQUIRE(content.items.size() == 3);
+        CHECK(content.marks.size() == 2);
+        CHECK(content.items[0].sunk_m == Approx(0.02));
+        CHECK(content.items[1].sunk_m == Approx(0.02));
+        CHECK(content.items[2].sunk_m == 0.0);
+    }
+    SECTION("labels stand where their things are seen") {
+        view.bodies = {body_at(0.2, 0.5, 0.0)};
+        view.bodies[0].label = "apple";
+        view.force = {true, Vector3(0.0, 0.4, 0.0), Vector3(0.0, -3.0, 0.0), "3 N"};
+        const SceneContent content = read(view);
+        REQUIRE(content.labels.size() == 2);
+        const Camera camera(view.camera, 1280, 720);
+        const auto seen = camera.project(Vector3(0.2, 0.5, 0.0));
+        CHECK(content.labels[0].middle_px[0] == Approx(seen->position_px.x()).margin(0.01));
+        CHECK(content.labels[0].middle_px[1] == Approx(seen->position_px.y()).margin(0.01));
+        CHECK(content.labels[0].radius_px ==
+              Approx(0.1 * camera.px_per_m(seen->depth_m)).epsilon(0.05));
+        CHECK(content.labels[1].is_force);
+        CHECK(content.labels[1].direction[1] == Approx(1.0).margin(0.01));
+        view.force.text.clear();
+        CHECK(read(view).labels.size() == 1);
+        CHECK(read(view).arrow);
+    }
+    SECTION("detail falls with distance, far things have no part in shadows") {
+        view.bodies = {body_at(0.0, 0.4, 0.9), body_at(0.0, 0.4, 0.0), body_at(0.0, 0.4, -6.0)};
+        const SceneContent content = read(view);
+        REQUIRE(content.items.size() == 3);
+        CHECK(content.items[0].level < content.items[1].level);
+        CHECK(content.items[1].level < content.items[2].level);
+        CHECK(content.items[1].near);
+        CHECK_FALSE(content.items[2].near);
+    }
+    SECTION("a crowd is cut off at the limit") {
+        view.bodies.assign(kMostBodies + 10, body_at(0.0, 0.4, 0.0));
+        CHECK(read(view).items.size() == kMostBodies);
+    }
+    SECTION("in space nothing has a mark, and an orbit is a circle instead of a model") {
+        view.bodies = {body_at(0, 0.5, 0), body_at(0.1, 0.4, 0)};
+        view.bodies[1].model = "orbit";
+        view.bodies[1].scale.setConstant(0.7);
+        const SceneContent on_earth = read(view);
+        CHECK(on_earth.items.size() == 1);
+        CHECK(on_earth.marks.size() == 1);
+        REQUIRE(on_earth.orbits.size() == 1);
+        CHECK(on_earth.orbits[0].centre_W == Vector3(0.1, 0.4, 0));
+        CHECK(on_earth.orbits[0].x_W.norm() == Approx(0.7));
+        CHECK(on_earth.orbits[0].x_W.dot(on_earth.orbits[0].z_W) == Approx(0.0).margin(1e-12));
+        view.in_space = true;
+        view.bodies[1].pose_W.position.x() = kNan;
+        const SceneContent in_space = read(view);
+        CHECK(in_space.marks.empty());
+        CHECK(in_space.orbits.empty());
+    }
+    SECTION("a label's arrow covers what it hides, and a load's label has the load's colour") {
+        ViewTorque torque;
+        torque.axis_W = Vector3(-0.2, 0.4, 0);
+        torque.force = {true, Vector3(0.2, 0.5, 0), Vector3(0, -4, 0), "4 N", ForceLook::load};
+        view.torques = {torque};
+        const SceneContent content = read(view);
+        REQUIRE(content.labels.size() == 1);
+        const SceneLabel& label = content.labels[0];
+        CHECK(label.look == ForceLook::load);
+        const Camera camera(view.camera, 1280, 720);
+        for (const Vector3& point_W : {content.arrows[0].tail_W, content.arrows[0].tip_W}) {
+            const auto seen = camera.project(point_W)->position_px.cast<float>().eval();
+            CHECK(seen.x() > label.covers.x);
+            CHECK(seen.x() < label.covers.right());
+            CHECK(seen.y() > label.covers.y);
+            CHECK(seen.y() < label.covers.bottom());
+        }
+    }
 }
 
 TEST_CASE("content: what is wide beside the picture has no mark: a ring says where a thing lands") {
@@ -105,18 +181,6 @@ TEST_CASE("content: what lies in the hand has no mark of its own, what falls tow
     CHECK(marks_with(0.15, 0.35) == 2);
     view.tool_visible = false;
     CHECK(marks_with(0.0, 0.35) == 1);
-}
-
-TEST_CASE("content: far things have no mark, and how deep one is sunk is known") {
-    runtime::View view = without_tool();
-    view.ground_height_m = 0.5;
-    view.bodies = {body_at(0.0, 0.58, 0.0), body_at(0.0, 0.58, -30.0), body_at(0.0, 0.7, 0.0)};
-    const SceneContent content = read(view);
-    REQUIRE(content.items.size() == 3);
-    CHECK(content.marks.size() == 2);
-    CHECK(content.items[0].sunk_m == Approx(0.02));
-    CHECK(content.items[1].sunk_m == Approx(0.02));
-    CHECK(content.items[2].sunk_m == 0.0);
 }
 
 TEST_CASE("content: the ghost appears as the arm leaves the tool") {
@@ -162,83 +226,6 @@ TEST_CASE("content: each hand is there with its mark, its number and its own gho
     view.more_hands[0].ghost_pose_W.position.x() = kNan;
     CHECK(read(view).items.size() == n_items);
     CHECK(read(view).more_ghosts.empty());
-}
-
-TEST_CASE("content: labels stand where their things are seen") {
-    runtime::View view = without_tool();
-    view.bodies = {body_at(0.2, 0.5, 0.0)};
-    view.bodies[0].label = "apple";
-    view.force = {true, Vector3(0.0, 0.4, 0.0), Vector3(0.0, -3.0, 0.0), "3 N"};
-    const SceneContent content = read(view);
-    REQUIRE(content.labels.size() == 2);
-    const Camera camera(view.camera, 1280, 720);
-    const auto seen = camera.project(Vector3(0.2, 0.5, 0.0));
-    CHECK(content.labels[0].middle_px[0] == Approx(seen->position_px.x()).margin(0.01));
-    CHECK(content.labels[0].middle_px[1] == Approx(seen->position_px.y()).margin(0.01));
-    CHECK(content.labels[0].radius_px ==
-          Approx(0.1 * camera.px_per_m(seen->depth_m)).epsilon(0.05));
-    CHECK(content.labels[1].is_force);
-    CHECK(content.labels[1].direction[1] == Approx(1.0).margin(0.01));
-    view.force.text.clear();
-    CHECK(read(view).labels.size() == 1);
-    CHECK(read(view).arrow);
-}
-
-TEST_CASE("content: detail falls with distance, far things have no part in shadows") {
-    runtime::View view = without_tool();
-    view.bodies = {body_at(0.0, 0.4, 0.9), body_at(0.0, 0.4, 0.0), body_at(0.0, 0.4, -6.0)};
-    const SceneContent content = read(view);
-    REQUIRE(content.items.size() == 3);
-    CHECK(content.items[0].level < content.items[1].level);
-    CHECK(content.items[1].level < content.items[2].level);
-    CHECK(content.items[1].near);
-    CHECK_FALSE(content.items[2].near);
-}
-
-TEST_CASE("content: a crowd is cut off at the limit") {
-    runtime::View view = without_tool();
-    view.bodies.assign(kMostBodies + 10, body_at(0.0, 0.4, 0.0));
-    CHECK(read(view).items.size() == kMostBodies);
-}
-
-TEST_CASE("content: in space nothing has a mark, and an orbit is a circle instead of a model") {
-    runtime::View view = without_tool();
-    view.bodies = {body_at(0, 0.5, 0), body_at(0.1, 0.4, 0)};
-    view.bodies[1].model = "orbit";
-    view.bodies[1].scale.setConstant(0.7);
-    const SceneContent on_earth = read(view);
-    CHECK(on_earth.items.size() == 1);
-    CHECK(on_earth.marks.size() == 1);
-    REQUIRE(on_earth.orbits.size() == 1);
-    CHECK(on_earth.orbits[0].centre_W == Vector3(0.1, 0.4, 0));
-    CHECK(on_earth.orbits[0].x_W.norm() == Approx(0.7));
-    CHECK(on_earth.orbits[0].x_W.dot(on_earth.orbits[0].z_W) == Approx(0.0).margin(1e-12));
-    view.in_space = true;
-    view.bodies[1].pose_W.position.x() = kNan;
-    const SceneContent in_space = read(view);
-    CHECK(in_space.marks.empty());
-    CHECK(in_space.orbits.empty());
-}
-
-TEST_CASE(
-    "content: a label's arrow covers what it hides, and a load's label has the load's colour") {
-    runtime::View view = without_tool();
-    ViewTorque torque;
-    torque.axis_W = Vector3(-0.2, 0.4, 0);
-    torque.force = {true, Vector3(0.2, 0.5, 0), Vector3(0, -4, 0), "4 N", ForceLook::load};
-    view.torques = {torque};
-    const SceneContent content = read(view);
-    REQUIRE(content.labels.size() == 1);
-    const SceneLabel& label = content.labels[0];
-    CHECK(label.look == ForceLook::load);
-    const Camera camera(view.camera, 1280, 720);
-    for (const Vector3& point_W : {content.arrows[0].tail_W, content.arrows[0].tip_W}) {
-        const auto seen = camera.project(point_W)->position_px.cast<float>().eval();
-        CHECK(seen.x() > label.covers.x);
-        CHECK(seen.x() < label.covers.right());
-        CHECK(seen.y() > label.covers.y);
-        CHECK(seen.y() < label.covers.bottom());
-    }
 }
 
 TEST_CASE("content: the hand is seen where it is projected, as large as it is there") {
