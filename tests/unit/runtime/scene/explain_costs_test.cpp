@@ -1,11 +1,9 @@
 #include "runtime/scene/explain.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -36,20 +34,18 @@ LessonDescription make_lesson() {
 
 TEST_CASE("explain costs: a line a timed stage with calls, times, share and memory, then errors") {
     const std::string text = explain_costs(make_plan(), make_analysis());
-    CHECK(text.find("Played 10.0 s in 0.50 s") != std::string::npos);
-    CHECK(text.find("haptic   read                  10000      0.100      0.200   25.0 %      72 "
-                    "B\n") != std::string::npos);
-    CHECK(text.find("75.0 %    1.3 kB\n") != std::string::npos);
-    CHECK(text.find("velocity, rms 1.5 mm/s, against the hand's own\n") != std::string::npos);
-    CHECK(text.find("lua") == std::string::npos);
+    check_says(text, {"Played 10.0 s in 0.50 s",
+                      "haptic   read                  10000      0.100      0.200   25.0 %      72 "
+                      "B\n",
+                      "75.0 %    1.3 kB\n", "velocity, rms 1.5 mm/s, against the hand's own\n"});
+    check_lacks(text, {"lua"});
 }
 
 TEST_CASE("explain costs: what nothing bounds is said not to be bounded, as JSON null") {
     Analysis analysis = make_analysis();
     analysis.stages.back().errors = {{"force off", std::nan(""), "N", "bodies that do not give"}};
-    CHECK(explain_costs(make_plan(), analysis)
-              .find("force off not bounded, against bodies that do not give\n") !=
-          std::string::npos);
+    check_says(explain_costs(make_plan(), analysis),
+               {"force off not bounded, against bodies that do not give\n"});
     const auto timed = nlohmann::json::parse(explain_json(make_lesson(), make_plan(), &analysis));
     CHECK(timed["stages"][1]["errors"][0]["value"].is_null());
 }
@@ -57,7 +53,7 @@ TEST_CASE("explain costs: what nothing bounds is said not to be bounded, as JSON
 TEST_CASE("explain costs: no heading of errors where there are none") {
     Analysis analysis = make_analysis();
     analysis.stages.pop_back();
-    CHECK(explain_costs(make_plan(), analysis).find("truth") == std::string::npos);
+    check_lacks(explain_costs(make_plan(), analysis), {"truth"});
 }
 
 TEST_CASE("explain json: the plan alone, and with figures where a stage was timed") {

@@ -1,36 +1,20 @@
 #include "runtime/scene/plan_hands.h"
 
-#include "haptics/collision/collision_mesh.h"
-#include "haptics/geometry/shape.h"
+#include "tests/unit/runtime/scene/plan_scene.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <functional>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
-
-Expected<std::shared_ptr<const CollisionMesh>> box_mesh(const BodyDescription& body) {
-    return make_box(box_size_m(body)).and_then([](const TriangleMesh& mesh) {
-        return CollisionMesh::create(mesh);
-    });
-}
 
 // A block between two fingers, the second one at another place and scale.
 LessonDescription make_two_fingers() {
     LessonDescription lesson;
-    BodyDescription block;
-    block.name = block.noun = "block";
+    BodyDescription block = make_solid("block", 5);
     block.model = "box";
     block.size_m = Vector3::Constant(0.06);
     block.mass_kg = 0.1;
-    block.solid = block.visible = true;
     block.rigid.emplace();
     block.material = 0;
-    block.line = 5;
     lesson.bodies = {block};
     MaterialDescription wood;
     wood.felt.name = "wood";
@@ -49,15 +33,12 @@ LessonDescription make_two_fingers() {
 Plan compile(const LessonDescription& lesson, std::size_t n_hands = kMostHands) {
     PlanOptions options;
     options.n_hands = n_hands;
-    auto plan = compile_plan(lesson, options, box_mesh);
-    REQUIRE(plan);
-    return *plan;
+    return plan_of(lesson, box_mesh, options);
 }
 
 }  // namespace
 
-TEST_CASE(
-    "plan: a second hand has a place, scale, cursor and springs of its own, and all else alike") {
+TEST_CASE("plan: a second hand has its own place, scale, cursor and springs, and all else alike") {
     const LessonDescription lesson = make_two_fingers();
     const Plan plan = compile(lesson);
     REQUIRE(plan.more_hands.size() == 1);
@@ -96,11 +77,7 @@ TEST_CASE("plan: with one hand a lesson of two costs what a lesson of one does, 
     };
     CHECK(count(with_one, "hand 2") == 0);
     CHECK(count(with_two, "hand 2") == count(with_two, "haptic"));
-    const auto read = std::ranges::find_if(with_two.stages, [](const PlanStage& stage) {
-        return stage.loop == "hand 2" && stage.name == "read";
-    });
-    REQUIRE(read != with_two.stages.end());
-    CHECK(read->line == 4);
+    CHECK(stage_of(with_two, "hand 2", "read").line == 4);
 }
 
 TEST_CASE("plan: what one hand alone can hold goes with no second one, whoever is there") {
@@ -109,8 +86,7 @@ TEST_CASE("plan: what one hand alone can hold goes with no second one, whoever i
         change(lesson);
         PlanOptions options;
         options.n_hands = 1;
-        const auto plan = compile_plan(lesson, options, box_mesh);
-        return plan ? std::string() : to_sentence(plan.error());
+        return refusal(lesson, box_mesh, options);
     };
     CHECK(sentence([](LessonDescription&) {}).empty());
     const std::string advice =
@@ -139,13 +115,14 @@ TEST_CASE("plan: what one hand alone can hold goes with no second one, whoever i
               lesson.bodies[0].hinge.emplace();
           }) == "lesson.lua:5: the block is on a hinge" + advice);
     // A field that is too stiff for the larger scale is refused too.
-    CHECK(sentence([](auto& lesson) {
-              ForceDescription spring;
-              spring.name = "s";
-              spring.field.kind = FieldKind::spring;
-              spring.field.stiffness_N_per_m = 1500.0;
-              lesson.forces = {spring};
-          }).find("too stiff") != std::string::npos);
+    check_says(sentence([](auto& lesson) {
+                   ForceDescription spring;
+                   spring.name = "s";
+                   spring.field.kind = FieldKind::spring;
+                   spring.field.stiffness_N_per_m = 1500.0;
+                   lesson.forces = {spring};
+               }),
+               {"too stiff"});
 }
 
 TEST_CASE("plan: a lesson as one of its hands sees it has no other") {

@@ -1,11 +1,8 @@
 #include "runtime/scene/plan_kite.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/scene/plan_scene.h"
 
-#include <algorithm>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -20,46 +17,39 @@ LessonDescription with_kite() {
     return lesson;
 }
 
-Expected<Plan> compile(const LessonDescription& lesson, const PlanOptions& options = {}) {
-    return compile_plan(lesson, options, nullptr);
-}
-
 }  // namespace
 
-TEST_CASE(
-    "plan: a kite brings its flight and its line in the hand, and names the line that asked") {
-    const auto plan = compile(with_kite());
-    REQUIRE(plan);
-    CHECK(plan->has("haptic", "forces: line"));
-    CHECK(plan->has("kite", "flight"));
-    CHECK(plan->has("haptic", "passivity"));
-    CHECK_FALSE(plan->has("world", "falling bodies"));
-    for (const PlanStage& stage : plan->stages) {
+TEST_CASE("plan: a kite brings flight and a line in the hand, and names the line that asked") {
+    const auto plan = plan_of(with_kite(), nullptr);
+    CHECK(plan.has("haptic", "forces: line"));
+    CHECK(plan.has("kite", "flight"));
+    CHECK(plan.has("haptic", "passivity"));
+    CHECK_FALSE(plan.has("world", "falling bodies"));
+    for (const PlanStage& stage : plan.stages) {
         if (stage.loop == "kite") {
             CHECK(stage.line == 7);
             CHECK(stage.rate_hz == kKiteRate_Hz);
             CHECK(stage.memory_bytes > 1000);
         }
     }
-    REQUIRE(plan->kite);
-    const KiteFlightSettings& flight = plan->kite->flight;
+    REQUIRE(plan.kite);
+    const KiteFlightSettings& flight = plan.kite->flight;
     CHECK(flight.gravity_m_per_s2 == Approx(1.62));
     CHECK(flight.wind.ground_m == 2.0);
     CHECK(flight.wind.speed_m_per_s == 8.0);
     CHECK(flight.wind.gustiness == 1.0);
     CHECK(flight.wind.downwind_W == Vector3(0, 0, 1));
-    CHECK(plan->haptic.line->most_N == Approx(0.9 * 5.0));
+    CHECK(plan.haptic.line->most_N == Approx(0.9 * 5.0));
 }
 
 TEST_CASE("plan: a lesson without a kite has nothing of one") {
     LessonDescription lesson = with_kite();
     lesson.kite.reset();
     lesson.wind = {};
-    const auto plan = compile(lesson);
-    REQUIRE(plan);
-    CHECK_FALSE(plan->kite);
-    CHECK_FALSE(plan->haptic.line);
-    CHECK(std::ranges::none_of(plan->stages, [](const PlanStage& stage) {
+    const auto plan = plan_of(lesson, nullptr);
+    CHECK_FALSE(plan.kite);
+    CHECK_FALSE(plan.haptic.line);
+    CHECK(std::ranges::none_of(plan.stages, [](const PlanStage& stage) {
         return stage.loop == "kite" || stage.name == "forces: line";
     }));
 }
@@ -67,24 +57,23 @@ TEST_CASE("plan: a lesson without a kite has nothing of one") {
 TEST_CASE("plan: a kite pulls no harder than hand, site and arm may be pulled") {
     PlanOptions options;
     options.site = make_site_limits(2.0);
-    const auto usual = compile(with_kite(), {});
-    const auto milder = compile(with_kite(), options);
-    CHECK(milder->haptic.line->most_N == Approx(1.8));
-    CHECK(milder->haptic.line->share == Approx(0.4 * usual->haptic.line->share));
-    REQUIRE(milder->notices.size() == usual->notices.size() + 1);
-    CHECK(milder->notices.back().find("0.40") != std::string::npos);
+    const Plan usual = plan_of(with_kite(), nullptr);
+    const Plan milder = plan_of(with_kite(), nullptr, options);
+    CHECK(milder.haptic.line->most_N == Approx(1.8));
+    CHECK(milder.haptic.line->share == Approx(0.4 * usual.haptic.line->share));
+    REQUIRE(milder.notices.size() == usual.notices.size() + 1);
+    check_says(milder.notices.back(), {"0.40"});
     options.device_force_limit_N = 1.0;
-    CHECK(compile(with_kite(), options)->haptic.line->most_N == 1.0);
-    CHECK(compile(with_kite(), options)->haptic.line->share ==
-          Approx(0.2 * usual->haptic.line->share));
+    CHECK(plan_of(with_kite(), nullptr, options).haptic.line->most_N == 1.0);
+    CHECK(plan_of(with_kite(), nullptr, options).haptic.line->share ==
+          Approx(0.2 * usual.haptic.line->share));
 }
 
 TEST_CASE("plan: a wind without a kite, a line too stiff and a kite that is none are refused") {
     const auto sentence = [](auto change) {
         LessonDescription lesson = with_kite();
         change(lesson);
-        const auto plan = compile(lesson);
-        return plan ? std::string() : to_sentence(plan.error());
+        return refusal(lesson, nullptr);
     };
     CHECK(
         sentence([](LessonDescription& l) { l.kite.reset(); }) ==

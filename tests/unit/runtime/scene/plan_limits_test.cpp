@@ -1,12 +1,7 @@
-#include "runtime/scene/plan.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/scene/plan_scene.h"
 
-#include <memory>
-#include <utility>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -22,11 +17,10 @@ TEST_CASE("plan: a lesson may want less force than the site allows, and never ge
     options.site = make_site_limits(4.0);
     for (const auto& [wanted_N, limit_N] : {std::pair(2.0, 2.0), {4.0, 4.0}, {10.0, 4.0}}) {
         lesson.force_limit_N = wanted_N;
-        const auto plan = compile_plan(lesson, options, no_solid);
-        REQUIRE(plan);
-        CHECK(plan->haptic.safety.max_force_N == limit_N);
+        const auto plan = plan_of(lesson, no_solid, options);
+        CHECK(plan.haptic.safety.max_force_N == limit_N);
         // The wrist's share falls with it.
-        CHECK(plan->haptic.safety.max_torque_Nm == Approx(0.3 * limit_N / 5.0));
+        CHECK(plan.haptic.safety.max_torque_Nm == Approx(0.3 * limit_N / 5.0));
     }
 }
 
@@ -39,17 +33,15 @@ TEST_CASE("plan: weights fit under what the lesson wants") {
     stone.mass_kg = 10.0;
     stone.movable = true;
     lesson.bodies = {stone};
-    const auto plan = compile_plan(lesson, {}, no_solid);
-    REQUIRE(plan);
-    CHECK(plan->felt_weight_N.front() == Approx(kWeightShareOfLimit * 1.0));
+    const auto plan = plan_of(lesson, no_solid);
+    CHECK(plan.felt_weight_N.front() == Approx(kWeightShareOfLimit * 1.0));
 }
 
 TEST_CASE("plan: a place's limits of speed and energy are the loop's") {
     PlanOptions options;
     options.site.speed_m_per_s = 1.5;
     options.site.energy_J = 2.0;
-    const auto plan = compile_plan({}, options, no_solid);
-    REQUIRE(plan);
-    CHECK(plan->haptic.safety.max_felt_speed_m_per_s == 1.5);
-    CHECK(plan->haptic.safety.max_energy_J == 2.0);
+    const auto plan = plan_of({}, no_solid, options);
+    CHECK(plan.haptic.safety.max_felt_speed_m_per_s == 1.5);
+    CHECK(plan.haptic.safety.max_energy_J == 2.0);
 }

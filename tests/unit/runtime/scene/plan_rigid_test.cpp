@@ -1,28 +1,18 @@
 #include "runtime/scene/plan_rigid.h"
 
-#include "haptics/collision/collision_mesh.h"
-#include "haptics/geometry/shape.h"
+#include "tests/unit/runtime/scene/plan_scene.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <limits>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
 BodyDescription make_block(const std::string& name, const Vector3& size_m, double mass_kg,
                            SourceLine line) {
-    BodyDescription body;
-    body.name = body.noun = name;
+    BodyDescription body = make_solid(name, line);
     body.model = "box";
     body.size_m = size_m;
     body.mass_kg = mass_kg;
-    body.solid = body.visible = true;
     body.rigid.emplace();
-    body.line = line;
     return body;
 }
 
@@ -35,23 +25,10 @@ LessonDescription make_blocks() {
     return lesson;
 }
 
-Expected<std::shared_ptr<const CollisionMesh>> box_mesh(const BodyDescription& body) {
-    return make_box(box_size_m(body)).and_then([](const TriangleMesh& mesh) {
-        return CollisionMesh::create(mesh);
-    });
-}
-
-Plan compile(const LessonDescription& lesson) {
-    auto plan = compile_plan(lesson, {}, box_mesh);
-    REQUIRE(plan);
-    return *plan;
-}
-
 }  // namespace
 
-TEST_CASE(
-    "plan: rigid bodies have a world with ground and table, and the hand pushes and grips them") {
-    const Plan plan = compile(make_blocks());
+TEST_CASE("plan: rigid bodies have a world with ground and table; the hand pushes and grips them") {
+    const Plan plan = plan_of(make_blocks(), box_mesh);
     REQUIRE(plan.rigid);
     CHECK_FALSE(plan.world);
     CHECK(plan.world_rate_hz() == 1000.0);
@@ -78,7 +55,7 @@ TEST_CASE(
 TEST_CASE("plan: without rigid bodies there is no world of them, nor its stage") {
     LessonDescription lesson = make_blocks();
     lesson.bodies.resize(1);
-    const Plan plan = compile(lesson);
+    const Plan plan = plan_of(lesson, box_mesh);
     CHECK_FALSE(plan.rigid);
     CHECK(plan.haptic.rigid.empty());
     CHECK(plan.world_rate_hz() == 0.0);
@@ -87,14 +64,14 @@ TEST_CASE("plan: without rigid bodies there is no world of them, nor its stage")
 }
 
 TEST_CASE("plan: a teacher is told what is too heavy to lift") {
-    const Plan plan = compile(make_blocks());
+    const Plan plan = plan_of(make_blocks(), box_mesh);
     REQUIRE(plan.notices.size() == 1);
-    CHECK(plan.notices[0].find("heavy weighs 19.62 N, and a hand that may feel 5.0 N lifts 4.50 N "
-                               "at most, so it can only be pushed") != std::string::npos);
+    check_says(plan.notices[0],
+               {"heavy weighs 19.62 N, and a hand that may feel 5.0 N lifts 4.50 N "
+                "at most, so it can only be pushed"});
     // What it may weigh is told so that it is no more than that.
-    CHECK(plan.notices[0].find("its mass, which is 2 kg, must be 0.458 kg at most") !=
-          std::string::npos);
-    CHECK(plan.notices[0].find("lesson.lua:5") != std::string::npos);
+    check_says(plan.notices[0],
+               {"its mass, which is 2 kg, must be 0.458 kg at most", "lesson.lua:5"});
 }
 
 TEST_CASE("plan: what is not seen at first is not there, and joints are between the right bodies") {
@@ -102,7 +79,7 @@ TEST_CASE("plan: what is not seen at first is not there, and joints are between 
     lesson.bodies[1].visible = false;
     lesson.bodies[2].rigid->joint = JointDescription{
         .kind = JointKind::hinge, .to = "block", .at_W = {0.1, 0.0, 0.0}, .highest = 1.0};
-    const Plan plan = compile(lesson);
+    const Plan plan = plan_of(lesson, box_mesh);
     CHECK(plan.rigid->hidden == std::vector<std::int32_t>{2});
     REQUIRE(plan.rigid->world.joints.size() == 1);
     const JointPlan& joint = plan.rigid->world.joints[0];
@@ -117,7 +94,7 @@ TEST_CASE("plan: shapes follow the model, or what the lesson says") {
     LessonDescription lesson = make_blocks();
     const auto shape_as = [&](RigidShape shape) {
         lesson.bodies[1].collides_as = shape;
-        return compile(lesson).rigid->world.bodies[2].shape;
+        return plan_of(lesson, box_mesh).rigid->world.bodies[2].shape;
     };
     CHECK(std::get<SphereShape>(shape_as(RigidShape::ball)).radius_m == Approx(0.1));
     const auto cylinder = std::get<CylinderShape>(shape_as(RigidShape::cylinder));
@@ -140,17 +117,14 @@ TEST_CASE("plan: a body is felt as one model and simulated as another, in one fr
                               : body.model == "coarse" ? 0.02
                               : body.model == "top"    ? 0.4
                                                        : 0.05;
-        return make_box(Vector3::Constant(2.0 * half_m)).and_then([](const TriangleMesh& mesh) {
-            return CollisionMesh::create(mesh);
-        });
+        return touchable(make_box(Vector3::Constant(2.0 * half_m)));
     };
-    const auto plan = compile_plan(lesson, {}, load);
-    REQUIRE(plan);
+    const auto plan = plan_of(lesson, load);
     const auto felt_m = [&](std::size_t solid) {
-        return (*find_mesh(plan->haptic.solids[solid].shape))->vertices_B()[0].cwiseAbs().x();
+        return (*find_mesh(plan.haptic.solids[solid].shape))->vertices_B()[0].cwiseAbs().x();
     };
     const auto farthest_m = [&](std::size_t body) {
-        const auto& hull = std::get<HullShape>(plan->rigid->world.bodies[body].shape);
+        const auto& hull = std::get<HullShape>(plan.rigid->world.bodies[body].shape);
         return hull.mesh->vertices_B()[0].cwiseAbs().x();
     };
     CHECK(felt_m(0) == Approx(0.05));
@@ -159,37 +133,34 @@ TEST_CASE("plan: a body is felt as one model and simulated as another, in one fr
     CHECK(farthest_m(2) == Approx(0.03));
     CHECK(felt_m(2) == Approx(0.03));
     CHECK(farthest_m(3) == Approx(0.02));
-    CHECK(plan->haptic.solids[2].initial_pose_W.position ==
-          plan->rigid->world.bodies[3].pose_W.position);
+    CHECK(plan.haptic.solids[2].initial_pose_W.position ==
+          plan.rigid->world.bodies[3].pose_W.position);
     // How hard it is to turn is that of what is simulated: m a^2 / 6.
-    REQUIRE(plan->haptic.rigid.size() == 2);
-    CHECK(plan->haptic.rigid[1].moment_kg_m2 == Approx(2.0 * 0.04 * 0.04 / 6.0));
+    REQUIRE(plan.haptic.rigid.size() == 2);
+    CHECK(plan.haptic.rigid[1].moment_kg_m2 == Approx(2.0 * 0.04 * 0.04 / 6.0));
 }
 
-TEST_CASE(
-    "plan: what is simulated of a body is refused where no body is rigid, or it is not there") {
+TEST_CASE("plan: what is simulated is refused where no body is rigid, or it is not there") {
     LessonDescription lesson = make_blocks();
     lesson.bodies.resize(1);
     lesson.bodies[0].simulated_model = "coarse";
-    const auto alone = compile_plan(lesson, {}, box_mesh);
-    REQUIRE_FALSE(alone);
-    CHECK(to_sentence(alone.error()).find("no body of the lesson is rigid") != std::string::npos);
-    CHECK(to_sentence(alone.error()).find("lesson.lua:3") != std::string::npos);
+    const std::string alone = refusal(lesson, box_mesh);
+    check_says(alone, {"no body of the lesson is rigid", "lesson.lua:3"});
     LessonDescription missing = make_blocks();
     missing.bodies[1].simulated_model = "coarse";
-    const auto refused = compile_plan(
-        missing, {},
-        [](const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
-            return body.model == "coarse" ? fail("it is not there", {}, {}) : box_mesh(body);
-        });
-    REQUIRE_FALSE(refused);
-    CHECK(refused.error().message == "it is not there");
+    CHECK(error_of(compile_plan(missing, {},
+                                [](const BodyDescription& body)
+                                    -> Expected<std::shared_ptr<const CollisionMesh>> {
+                                    return body.model == "coarse" ? fail("it is not there", {}, {})
+                                                                  : box_mesh(body);
+                                }))
+              .message == "it is not there");
 }
 
 TEST_CASE("plan: a mesh is made ready once, and an open one is refused with the body's line") {
     LessonDescription lesson = make_blocks();
     lesson.bodies[1].collides_as = RigidShape::mesh;
-    const Plan plan = compile(lesson);
+    const Plan plan = plan_of(lesson, box_mesh);
     REQUIRE(plan.rigid->world.bodies[2].sampled);
     CHECK(plan.rigid->world.bodies[2].sampled->is_mesh());
     CHECK_FALSE(plan.rigid->world.bodies[1].sampled);
@@ -201,8 +172,6 @@ TEST_CASE("plan: a mesh is made ready once, and an open one is refused with the 
                 .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
         });
     };
-    const auto refused = compile_plan(lesson, {}, open_mesh);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("lesson.lua:4") != std::string::npos);
-    CHECK(to_sentence(refused.error()).find("open") != std::string::npos);
+    const std::string refused = refusal(lesson, open_mesh);
+    check_says(refused, {"lesson.lua:4", "open"});
 }

@@ -1,60 +1,35 @@
 #include "runtime/scene/plan_tool.h"
 
-#include "haptics/collision/collision_mesh.h"
-#include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/tool/tool_plan.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/explain.h"
-#include "tests/support/scratch_folder.h"
-#include "tests/unit/runtime/scene/tool_lesson.h"
+#include "tests/unit/runtime/scene/plan_scene.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
-using namespace fulcrum::runtime::test_scene;
-
-namespace {
-
-std::string refusal(const LessonDescription& lesson) {
-    const auto plan = compile(lesson);
-    return plan ? "" : to_sentence(plan.error());
-}
-
-}  // namespace
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("plan: a tool in the hand is a stage of its own, instead of the proxy's") {
     for (const ToolMethod method :
          {ToolMethod::field_sampling, ToolMethod::voxel_sampling, ToolMethod::implicit_penalty}) {
         LessonDescription lesson = make_lesson();
         lesson.hand.tool->method = method;
-        const auto plan = compile(lesson);
-        REQUIRE(plan);
-        CHECK(plan->haptic.tool->penalty.has_value() == (method == ToolMethod::implicit_penalty));
-        CHECK(validate(plan->haptic));
-        CHECK(plan->has("haptic", "tool"));
-        CHECK_FALSE(plan->has("haptic", "proxy"));
-        CHECK_FALSE(plan->has("haptic", "forces: coupling"));
-        REQUIRE(plan->haptic.tool);
-        CHECK(plan->haptic.tool->n_objects() == 1);
-        const std::string text = explain(lesson, *plan);
-        CHECK(text.find("a cylinder meets bodies") != std::string::npos);
-        CHECK(text.find("lesson.lua:7") != std::string::npos);
+        const auto plan = plan_of(lesson);
+        CHECK(plan.haptic.tool->penalty.has_value() == (method == ToolMethod::implicit_penalty));
+        CHECK(validate(plan.haptic));
+        CHECK(plan.has("haptic", "tool"));
+        CHECK_FALSE(plan.has("haptic", "proxy"));
+        CHECK_FALSE(plan.has("haptic", "forces: coupling"));
+        REQUIRE(plan.haptic.tool);
+        CHECK(plan.haptic.tool->n_objects() == 1);
+        const std::string text = explain(lesson, plan);
+        check_says(text, {"a cylinder meets bodies", "lesson.lua:7"});
         const bool in_rows = method == ToolMethod::voxel_sampling;
         CHECK((text.find(" 2000 points, backward Euler, 500 N/m") != std::string::npos) != in_rows);
-        CHECK(text.find("block            4") != std::string::npos);
-        CHECK(text.find(name_of(method)) != std::string::npos);
+        check_says(text, {"block            4", name_of(method)});
         // The same for programs.
-        const auto tool = nlohmann::json::parse(explain_json(lesson, *plan, nullptr)).at("tool");
+        const auto tool = nlohmann::json::parse(explain_json(lesson, plan, nullptr)).at("tool");
         CHECK(tool["name"] == "cylinder");
         CHECK(tool["method"] == name_of(method));
         CHECK((tool["points"] == 2000) != in_rows);
@@ -71,23 +46,21 @@ TEST_CASE("plan: a tool in the hand is a stage of its own, instead of the proxy'
 TEST_CASE("plan: a god-object's tool meets the triangles of bodies, and turns on the same spring") {
     LessonDescription lesson = make_lesson();
     lesson.hand.tool->method = ToolMethod::god_object;
-    const auto plan = compile(lesson);
-    REQUIRE(plan);
-    REQUIRE(plan->haptic.tool);
-    CHECK(validate(plan->haptic));
-    const auto& objects = std::get<std::vector<GodObjectPlan>>(plan->haptic.tool->objects);
+    const auto plan = plan_of(lesson);
+    REQUIRE(plan.haptic.tool);
+    CHECK(validate(plan.haptic));
+    const auto& objects = std::get<std::vector<GodObjectPlan>>(plan.haptic.tool->objects);
     REQUIRE(objects.size() == 1);
     CHECK(objects[0].object->swept().n_triangles() == 12);
-    const GodObjectSettings settings = make_god_object_settings(*plan->haptic.tool);
-    const ToolCouplingSettings& coupling = plan->haptic.tool->settings.coupling;
+    const GodObjectSettings settings = make_god_object_settings(*plan.haptic.tool);
+    const ToolCouplingSettings& coupling = plan.haptic.tool->settings.coupling;
     CHECK(settings.coupling.shift.stiffness_N_per_m * settings.inertia.moments_kg_m2.y() /
               settings.inertia.mass_kg ==
           Approx(coupling.turn.stiffness_Nm_per_rad));
-    const std::string text = explain(lesson, *plan);
-    CHECK(text.find("god_object, ") != std::string::npos);
-    CHECK(text.find("12 triangles") != std::string::npos);
-    CHECK(text.find("backward Euler") == std::string::npos);
-    const auto tool = nlohmann::json::parse(explain_json(lesson, *plan, nullptr)).at("tool");
+    const std::string text = explain(lesson, plan);
+    check_says(text, {"god_object, ", "12 triangles"});
+    check_lacks(text, {"backward Euler"});
+    const auto tool = nlohmann::json::parse(explain_json(lesson, plan, nullptr)).at("tool");
     CHECK(tool["method"] == "god_object");
     CHECK(tool["bodies"][0]["triangles"] == 12);
 }
@@ -95,14 +68,13 @@ TEST_CASE("plan: a god-object's tool meets the triangles of bodies, and turns on
 TEST_CASE("plan: without a tool nothing of it is there") {
     LessonDescription lesson = make_lesson();
     lesson.hand.tool.reset();
-    const auto plan = compile(lesson);
-    REQUIRE(plan);
-    CHECK(plan->haptic.tool == nullptr);
-    CHECK_FALSE(plan->has("haptic", "tool"));
-    CHECK(plan->has("haptic", "proxy"));
+    const auto plan = plan_of(lesson);
+    CHECK(plan.haptic.tool == nullptr);
+    CHECK_FALSE(plan.has("haptic", "tool"));
+    CHECK(plan.has("haptic", "proxy"));
     for (const char* words : {"The tool in the hand", "voxel"}) {
-        CHECK(explain(lesson, *plan).find(words) == std::string::npos);
-        CHECK(explain_json(lesson, *plan, nullptr).find("\"tool\":") == std::string::npos);
+        check_lacks(explain(lesson, plan), {words});
+        check_lacks(explain_json(lesson, plan, nullptr), {"\"tool\":"});
     }
 }
 
@@ -113,9 +85,8 @@ TEST_CASE("plan: a tool's mass and springs are as the hand feels them, at every 
         lesson.hand.tool->mass_kg = 0.04;
         lesson.hand.tool->stiffness_N_per_m = 300.0;
         lesson.hand.tool->turn_stiffness_Nm_per_rad = 0.2;
-        const auto plan = compile(lesson);
-        REQUIRE(plan);
-        const VoxelToolSettings& settings = plan->haptic.tool->settings;
+        const auto plan = plan_of(lesson);
+        const VoxelToolSettings& settings = plan.haptic.tool->settings;
         CHECK(settings.inertia.mass_kg == Approx(0.04 / scale));
         CHECK(settings.coupling.shift.stiffness_N_per_m == Approx(300.0 / scale));
         CHECK(settings.coupling.turn.stiffness_Nm_per_rad == Approx(0.2 * scale));
@@ -125,12 +96,10 @@ TEST_CASE("plan: a tool's mass and springs are as the hand feels them, at every 
     }
 }
 
-TEST_CASE(
-    "plan: where a tool's turn has no stiffness of its own its far end is as stiff as the spring") {
-    const auto plan = compile(make_lesson());
-    REQUIRE(plan);
+TEST_CASE("plan: a turn without a stiffness of its own has its far end as stiff as the spring") {
+    const auto plan = plan_of(make_lesson());
     const double reach_m = std::hypot(0.02, 0.05);
-    CHECK(plan->haptic.tool->settings.coupling.turn.stiffness_Nm_per_rad ==
+    CHECK(plan.haptic.tool->settings.coupling.turn.stiffness_Nm_per_rad ==
           Approx(500.0 * reach_m * reach_m).epsilon(0.03));
 }
 
@@ -140,16 +109,15 @@ TEST_CASE("plan: each shape is a tool, and a model too") {
           CursorShape{CapsuleShape{0.01, 0.03}}, CursorShape{CylinderShape{0.01, 0.03}}}) {
         LessonDescription lesson = make_lesson();
         lesson.hand.tool->shape = shape;
-        CHECK(compile(lesson));
+        CHECK(refusal(lesson) == "");
     }
     LessonDescription lesson = make_lesson();
     lesson.hand.tool->shape = std::monostate{};
     lesson.hand.tool->model = "stick";
-    const auto plan = compile(lesson);
-    REQUIRE(plan);
+    const auto plan = plan_of(lesson);
     CHECK(name_of(*lesson.hand.tool) == "stick");
     // It is held upright, as its model stands, whatever its principal axes are.
-    const VoxelToolSettings& settings = plan->haptic.tool->settings;
+    const VoxelToolSettings& settings = plan.haptic.tool->settings;
     CHECK(settings.grip_T.norm() < 1e-9);
     const Vector3 thin = settings.handle_turn * Vector3::UnitX();
     CHECK(std::abs(thin.y()) == Approx(1.0));
@@ -160,9 +128,8 @@ TEST_CASE("plan: a tool that is a ball or a box by its model is felt as large as
         LessonDescription lesson = make_lesson();
         lesson.hand.tool->model = model;
         lesson.hand.tool->shape = shape;
-        const auto plan = compile(lesson);
-        REQUIRE(plan);
-        const auto& objects = std::get<std::vector<FieldSamplingPlan>>(plan->haptic.tool->objects);
+        const auto plan = plan_of(lesson);
+        const auto& objects = std::get<std::vector<FieldSamplingPlan>>(plan.haptic.tool->objects);
         return objects.front().shell->reach_m();
     };
     CHECK(reach_of("sphere", SphereShape{0.03}) == Approx(0.03).epsilon(0.01));
@@ -182,39 +149,33 @@ TEST_CASE("plan: what a tool meets is made once and then read, and people are to
             return compile_plan(lesson, {.shapes = &shapes}, load_block);
         };
         ShapeCache first({.folder = scratch.path() / "shapes", .least_build_s = 0.0});
-        const auto made = compile_with(first);
-        REQUIRE(made);
-        CHECK(made->tool_shapes == std::vector{ShapeSource::made, ShapeSource::made});
-        CHECK(explain(lesson, *made).find("points made now") != std::string::npos);
-        CHECK(explain(lesson, *made).find("B, made now\n") != std::string::npos);
+        const auto made = value_of(compile_with(first));
+        CHECK(made.tool_shapes == std::vector{ShapeSource::made, ShapeSource::made});
+        check_says(explain(lesson, made), {"points made now", "B, made now\n"});
         CHECK(first.counts().n_kept == 3);  // the body, the tool's points and what it encloses
         ShapeCache second({.folder = scratch.path() / "shapes", .least_build_s = 0.0});
-        const auto read = compile_with(second);
-        REQUIRE(read);
-        CHECK(read->tool_shapes == std::vector{ShapeSource::cache, ShapeSource::cache});
-        CHECK(explain(lesson, *read).find("points from the cache") != std::string::npos);
-        CHECK(explain(lesson, *read).find("B, from the cache\n") != std::string::npos);
+        const auto read = value_of(compile_with(second));
+        CHECK(read.tool_shapes == std::vector{ShapeSource::cache, ShapeSource::cache});
+        check_says(explain(lesson, read), {"points from the cache", "B, from the cache\n"});
         CHECK(second.counts().n_read == 3);
-        const auto json = nlohmann::json::parse(explain_json(lesson, *read, nullptr)).at("tool");
+        const auto json = nlohmann::json::parse(explain_json(lesson, read, nullptr)).at("tool");
         CHECK(json["source"] == "cache");
         CHECK(json["bodies"][0]["source"] == "cache");
         CHECK(second.counts().n_made == 0);
         CHECK(second.told().empty());
         // Without one all is made, and the same.
-        const auto without = compile(lesson);
-        REQUIRE(without);
-        CHECK(without->tool_shapes == made->tool_shapes);
-        CHECK(validate(read->haptic));
-        CHECK(without->haptic.tool->settings.inertia.moments_kg_m2 ==
-              read->haptic.tool->settings.inertia.moments_kg_m2);
+        const auto without = plan_of(lesson);
+        CHECK(without.tool_shapes == made.tool_shapes);
+        CHECK(validate(read.haptic));
+        CHECK(without.haptic.tool->settings.inertia.moments_kg_m2 ==
+              read.haptic.tool->settings.inertia.moments_kg_m2);
         // What is damaged is told, once each, and made again.
         for (const auto& entry : std::filesystem::directory_iterator(scratch.path() / "shapes")) {
             std::filesystem::resize_file(entry.path(), 100);
         }
         ShapeCache third({.folder = scratch.path() / "shapes", .least_build_s = 0.0});
-        const auto again = compile_with(third);
-        REQUIRE(again);
-        CHECK(again->tool_shapes == made->tool_shapes);
+        const auto again = value_of(compile_with(third));
+        CHECK(again.tool_shapes == made.tool_shapes);
         CHECK(third.told().size() == 3);
     }
 }
@@ -244,15 +205,13 @@ TEST_CASE("plan: how far a tool's bodies have come is told, and they can be stop
     CHECK(told.back().first <= 1.0);
     for (const char* at : {"the cylinder", "block", "wall"}) {
         options.progress = [&](double /*share*/, std::string_view what) { return what != at; };
-        const auto stopped = compile_plan(lesson, options, load_block);
-        REQUIRE_FALSE(stopped);
-        CHECK(to_sentence(stopped.error()).find("stopped before") != std::string::npos);
+        check_says(refusal_of(compile_plan(lesson, options, load_block)), {"stopped before"});
     }
 }
 
 TEST_CASE("plan: who has a body with holes met by a tool's field is told what they lead to") {
     const LessonDescription lesson = make_lesson();
-    CHECK(compile(lesson)->notices.empty());
+    CHECK(plan_of(lesson).notices.empty());
     const auto load_open = [](const BodyDescription& /*body*/) {
         const TriangleMesh block = make_box(Vector3(0.4, 0.04, 0.1)).value();
         std::vector<TriangleCorners> triangles = block.triangles();
@@ -260,10 +219,9 @@ TEST_CASE("plan: who has a body with holes met by a tool's field is told what th
         return TriangleMesh::build(block.vertices_B(), triangles)
             .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
     };
-    const auto plan = compile_plan(lesson, {}, load_open);
-    REQUIRE(plan);
-    REQUIRE(plan->notices.size() == 1);
-    CHECK(plan->notices.front().find("lesson.lua:4: the block: the mesh has 3 open edges") == 0);
+    const auto plan = plan_of(lesson, load_open);
+    REQUIRE(plan.notices.size() == 1);
+    CHECK(plan.notices.front().find("lesson.lua:4: the block: the mesh has 3 open edges") == 0);
     LessonDescription voxels = lesson;
     voxels.hand.tool->method = ToolMethod::voxel_sampling;
     CHECK(compile_plan(voxels, {}, load_open)->notices.empty());
@@ -276,17 +234,16 @@ TEST_CASE("plan: a tool feels an open mesh with nothing in it as a sheet, from b
                    {{0, 1, 2}, {0, 2, 3}})
             .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
     };
-    const auto plan = compile_plan(make_lesson(), {}, load_leaf);
-    REQUIRE(plan);
-    REQUIRE(plan->notices.size() == 1);
-    CAPTURE(plan->notices.front());
-    CHECK(plan->notices.front().find("lesson.lua:4: the block: its mesh is open and encloses "
-                                     "nothing, so a tool feels it as a sheet") == 0);
-    REQUIRE(plan->haptic.tool);
-    const std::unique_ptr<ToolSolver> tool = make_tool(*plan->haptic.tool);
+    const auto plan = plan_of(make_lesson(), load_leaf);
+    REQUIRE(plan.notices.size() == 1);
+    CAPTURE(plan.notices.front());
+    CHECK(plan.notices.front().find("lesson.lua:4: the block: its mesh is open and encloses "
+                                    "nothing, so a tool feels it as a sheet") == 0);
+    REQUIRE(plan.haptic.tool);
+    const std::unique_ptr<ToolSolver> tool = make_tool(*plan.haptic.tool);
     const auto is_free_at = [&](double y_m) {
         tool->place(Pose::at({0.0, y_m, 0.0}));
-        return tool->is_free(std::vector<MovingFrame>(plan->haptic.solids.size()));
+        return tool->is_free(std::vector<MovingFrame>(plan.haptic.solids.size()));
     };
     // The cylinder's ends are 5 cm from its middle.
     for (const double side : {1.0, -1.0}) {
@@ -343,25 +300,22 @@ TEST_CASE("plan: mistakes with a tool get one sentence and a line") {
           "or give the tool a shape.");
     lesson = make_lesson();
     lesson.hand.tool->shape = BoxShape{Vector3::Constant(1.0)};
-    CHECK(refused_first(lesson, load_block).find("give it a turn_stiffness of at most 10") !=
-          std::string::npos);
+    check_says(refused_first(lesson, load_block), {"give it a turn_stiffness of at most 10"});
 }
 
-TEST_CASE(
-    "plan: a tool has half of each step in a live run, and as long as it takes in any other") {
+TEST_CASE("plan: a tool has half of each step in a live run, else as long as it takes") {
     for (const double rate_hz : {1000.0, 4000.0}) {
         for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
             LessonDescription lesson = make_lesson();
             lesson.hand.rate_hz = rate_hz;
             lesson.hand.tool->method = method;
             lesson.hand.tool->points = 1000;
-            const auto live = compile_plan(lesson, {.live = true}, load_block);
-            REQUIRE(live);
-            CHECK(live->haptic.tool->settings.budget_us == Approx(0.5e6 / rate_hz));
-            CHECK(live->haptic.tool->settings.clock == BudgetClock::measured);
-            CHECK(compile(lesson)->haptic.tool->settings.budget_us == 0.0);
-            CHECK(validate(live->haptic));
-            const auto json = nlohmann::json::parse(explain_json(lesson, *live, nullptr));
+            const auto live = plan_of(lesson, load_block, {.live = true});
+            CHECK(live.haptic.tool->settings.budget_us == Approx(0.5e6 / rate_hz));
+            CHECK(live.haptic.tool->settings.clock == BudgetClock::measured);
+            CHECK(plan_of(lesson).haptic.tool->settings.budget_us == 0.0);
+            CHECK(validate(live.haptic));
+            const auto json = nlohmann::json::parse(explain_json(lesson, live, nullptr));
             CHECK(json.at("tool").at("live_time_us") == 0.5e6 / rate_hz);
         }
     }

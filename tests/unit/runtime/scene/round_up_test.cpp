@@ -1,8 +1,7 @@
 #include "runtime/scene/round_up.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cmath>
 #include <rapidcheck.h>
 
 namespace fulcrum::runtime {

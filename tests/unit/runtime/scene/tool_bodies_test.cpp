@@ -1,22 +1,14 @@
 #include "runtime/scene/tool_bodies.h"
 
-#include "haptics/collision/collision_mesh.h"
-#include "haptics/geometry/shape.h"
 #include "runtime/files/shape_cache.h"
+#include "tests/unit/runtime/scene/plan_scene.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
 std::shared_ptr<const CollisionMesh> make_cube(double side_m) {
-    return make_box(Vector3::Constant(side_m))
-        .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); })
-        .value();
+    return touchable(make_box(Vector3::Constant(side_m)));
 }
 
 struct Scene {
@@ -29,12 +21,9 @@ struct Scene {
         lesson.hand.line = 9;
     }
     void add(const std::shared_ptr<const CollisionMesh>& mesh) {
-        BodyDescription body;
-        body.name = body.noun = "cube" + std::to_string(solids.size() + 1);
-        body.solid = true;
-        body.line = static_cast<SourceLine>(solids.size() + 2);
         solids.push_back({static_cast<std::int32_t>(solids.size()), mesh, Pose{}});
-        lesson.bodies.push_back(body);
+        lesson.bodies.push_back(make_solid("cube" + std::to_string(solids.size()),
+                                           static_cast<SourceLine>(solids.size() + 1)));
     }
     [[nodiscard]] Expected<ToolBodyList> list() const { return list_tool_bodies(lesson, solids); }
 };
@@ -57,15 +46,14 @@ TEST_CASE("tool bodies: as many as a lesson may have share the voxels that there
     double last_m = 0.0;
     for (int n = 1; n <= 16; ++n) {
         scene.add(make_cube(0.1));
-        const auto list = scene.list();
-        REQUIRE(list);
-        REQUIRE(list->meshes.size() == static_cast<std::size_t>(n));
-        CHECK(count_voxels(*list) <= (1.0 + 1.0e-9) * kMostVoxels);  // by rounding
-        for (const ToolBodyList::Mesh& each : list->meshes) {
-            CHECK(each.voxel_m == list->meshes.front().voxel_m);
+        const auto list = value_of(scene.list());
+        REQUIRE(list.meshes.size() == static_cast<std::size_t>(n));
+        CHECK(count_voxels(list) <= (1.0 + 1.0e-9) * kMostVoxels);  // by rounding
+        for (const ToolBodyList::Mesh& each : list.meshes) {
+            CHECK(each.voxel_m == list.meshes.front().voxel_m);
         }
-        CHECK(list->meshes.front().voxel_m >= last_m);
-        last_m = list->meshes.front().voxel_m;
+        CHECK(list.meshes.front().voxel_m >= last_m);
+        last_m = list.meshes.front().voxel_m;
         alone_m = n == 1 ? last_m : alone_m;
     }
     // A few are as fine as one; sixteen not much coarser, and the share is used.
@@ -83,40 +71,36 @@ TEST_CASE("tool bodies: bodies of one mesh are made once") {
         scene.add(shared);
         scene.add(make_cube(0.2));
         scene.add(shared);
-        const auto list = scene.list();
-        REQUIRE(list);
-        CHECK(list->mesh_of == std::vector<std::size_t>{0, 1, 0});
+        const auto list = value_of(scene.list());
+        CHECK(list.mesh_of == std::vector<std::size_t>{0, 1, 0});
         ShapeCache none{{}};
         std::vector<std::string> told;
-        const auto bodies = make_tool_bodies(
-            scene.lesson, *list, 1.0e-3,
+        const auto bodies = value_of(make_tool_bodies(
+            scene.lesson, list, 1.0e-3,
             [&](double /*share*/, std::string_view what) {
                 told.emplace_back(what);
                 return true;
             },
-            none);
-        REQUIRE(bodies);
+            none));
         CHECK(none.counts().n_made == 2);
-        CHECK(bodies->sources == std::vector<ShapeSource>(3, ShapeSource::made));
+        CHECK(bodies.sources == std::vector<ShapeSource>(3, ShapeSource::made));
         CHECK(std::count(told.begin(), told.end(), "cube3") == 0);
         if (method == ToolMethod::field_sampling) {
-            REQUIRE(bodies->fields.size() == 3);
-            CHECK(bodies->fields[0] == bodies->fields[2]);
-            CHECK(bodies->fields[0] != bodies->fields[1]);
-            CHECK(bodies->grids.empty());
+            REQUIRE(bodies.fields.size() == 3);
+            CHECK(bodies.fields[0] == bodies.fields[2]);
+            CHECK(bodies.fields[0] != bodies.fields[1]);
+            CHECK(bodies.grids.empty());
         } else {
-            REQUIRE(bodies->grids.size() == 3);
-            CHECK(bodies->grids[0] == bodies->grids[2]);
-            CHECK(bodies->grids[0] != bodies->grids[1]);
+            REQUIRE(bodies.grids.size() == 3);
+            CHECK(bodies.grids[0] == bodies.grids[2]);
+            CHECK(bodies.grids[0] != bodies.grids[1]);
         }
     }
 }
 
 TEST_CASE("tool bodies: voxels too small or too many are refused with those that would do") {
     const auto would_do = [](const Scene& scene, const std::string& begins) {
-        const auto refused = scene.list();
-        REQUIRE_FALSE(refused);
-        const std::string text = to_sentence(refused.error());
+        const std::string text = refusal_of(scene.list());
         INFO(text);
         CHECK(text.find("lesson.lua:9: " + begins) == 0);
         const std::string advice = "leave out the tool's voxel, or make it ";
@@ -141,17 +125,13 @@ TEST_CASE("tool bodies: voxels too small or too many are refused with those that
              "voxels of 1 mm are too many for what the tool meets: 135 million, and at most 64");
 }
 
-TEST_CASE(
-    "tool bodies: a body with a material is refused at its own line, but by a god-object, which "
-    "feels friction and texture") {
+TEST_CASE("tool bodies: a material is refused at its body's line, but by a god-object") {
     Scene scene;
     scene.add(make_cube(0.1));
     scene.add(make_cube(0.2));
     scene.lesson.bodies[1].material = 0;
-    const auto refused = scene.list();
-    REQUIRE_FALSE(refused);
     CHECK(
-        to_sentence(refused.error()) ==
+        refusal_of(scene.list()) ==
         "lesson.lua:3: the cube2 has a material, and a tool of points feels its shape alone; leave "
         "out the material, or give the tool method = \"god_object\", which feels friction and "
         "texture.");

@@ -1,41 +1,21 @@
 #include "runtime/scene/tool_notices.h"
 
-#include "haptics/collision/collision_mesh.h"
-#include "haptics/geometry/shape.h"
-#include "runtime/scene/plan.h"
+#include "tests/unit/runtime/scene/plan_scene.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
 // A block of 40 x 20 x 40 cm, as thick as is asked for, and a ball of 1 cm in the hand, 30 cm up.
 LessonDescription make_scene(ToolMethod method) {
-    LessonDescription lesson;
-    lesson.title = lesson.id = "notices";
-    BodyDescription body;
-    body.name = body.noun = body.model = "block";
-    body.solid = body.visible = true;
-    body.line = 4;
-    lesson.bodies.push_back(body);
-    lesson.hand.tool = ToolDescription{};
+    LessonDescription lesson = make_lesson();
     lesson.hand.tool->shape = SphereShape{0.01};
     lesson.hand.tool->method = method;
-    lesson.hand.line = 7;
     return lesson;
 }
 
 std::vector<std::string> notices_of(const LessonDescription& lesson, const Vector3& size_m) {
-    const auto plan = compile_plan(lesson, {}, [&](const BodyDescription& /*body*/) {
-        return make_box(size_m).and_then(
-            [](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
-    });
-    REQUIRE(plan);
-    return plan->notices;
+    return plan_of(lesson, load_as(size_m)).notices;
 }
 
 constexpr ToolMethod kMethods[]{ToolMethod::field_sampling, ToolMethod::voxel_sampling,
@@ -61,8 +41,8 @@ TEST_CASE("tool notices: a wall thinner than two voxels is told, with the voxel 
         // So thin that no voxels of that body do.
         const auto foil = notices_of(lesson, {0.4, 0.0005, 0.4});
         REQUIRE(foil.size() == 1);
-        CHECK(foil[0].find(words) == std::string::npos);
-        CHECK(foil[0].find("m thick or more") != std::string::npos);
+        check_lacks(foil[0], {words});
+        check_says(foil[0], {"m thick or more"});
     }
 }
 

@@ -1,11 +1,8 @@
 #include "runtime/scene/tool_springs.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <string>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -80,6 +77,6 @@ TEST_CASE("tool springs: what cannot be is told in the lesson's own words, and w
                               "calmed in a hand at scale 0.02; give it less mass") == 0);
     // No name of a setting that a lesson does not have.
     for (const char* word : {"_N_per_m", "clamp", "coupling"}) {
-        CHECK(held.refusal().find(word) == std::string::npos);
+        check_lacks(held.refusal(), {word});
     }
 }

@@ -1,10 +1,8 @@
 #include "runtime/scene/gltf/deflate_length.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cstdint>
-#include <vector>
-
+using namespace fulcrum::runtime::test;
 using namespace fulcrum::runtime::gltf;
 
 namespace {

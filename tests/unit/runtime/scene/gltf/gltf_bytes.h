@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace fulcrum::test {
+namespace fulcrum::runtime::test {
 
 using nlohmann::json;
 using Floats = std::vector<float>;
@@ -119,13 +119,11 @@ struct Gltf {
         return file;
     }
 
-    [[nodiscard]] Expected<runtime::LoadedModel> read() const {
-        return runtime::read_gltf(glb(), "test.glb");
-    }
+    [[nodiscard]] Expected<LoadedModel> read() const { return read_gltf(glb(), "test.glb"); }
 };
 
 /// The model; the test fails when there is none.
-inline runtime::LoadedModel loaded(const Gltf& gltf) {
+inline LoadedModel loaded(const Gltf& gltf) {
     auto model = gltf.read();
     INFO((model ? "" : to_sentence(model.error())));
     REQUIRE(model.has_value());
@@ -133,7 +131,7 @@ inline runtime::LoadedModel loaded(const Gltf& gltf) {
 }
 
 /// The sentence of a refusal; the test fails when the model loaded, or when the sentence is not one.
-inline std::string refusal(const Expected<runtime::LoadedModel>& model) {
+inline std::string refusal(const Expected<LoadedModel>& model) {
     REQUIRE_FALSE(model.has_value());
     const std::string sentence = to_sentence(model.error());
     CHECK(sentence.find('\n') == std::string::npos);
@@ -146,7 +144,7 @@ inline std::string refusal(const Gltf& gltf) {
     return refusal(gltf.read());
 }
 inline std::string refusal_of_text(const std::string& text) {
-    return refusal(runtime::read_gltf(to_bytes(text), "test.gltf"));
+    return refusal(read_gltf(to_bytes(text), "test.gltf"));
 }
 
 // ---- files
@@ -244,4 +242,4 @@ inline Octets small_png() {
     return png({}, zlib_stored({0, 255, 0, 0, 0, 255, 0, 0, 0, 0, 255, 255, 255, 255}));
 }
 
-}  // namespace fulcrum::test
+}  // namespace fulcrum::runtime::test

@@ -1,28 +1,24 @@
 // What is refused before any parser sees the text.
 #include "runtime/scene/gltf/json_text.h"
 
+#include "tests/unit/runtime/rig.h"
 #include "tests/unit/runtime/scene/gltf/gltf_bytes.h"
 
-#include <catch2/catch.hpp>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
-using namespace fulcrum::test;
-using Catch::Matchers::Contains;
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("gltf refuses: JSON nested deep, in extras and anywhere, before a parser sees it") {
     for (const int depth : {65, 20'000, 1'000'000}) {
         const auto n = static_cast<std::size_t>(depth);
-        CHECK_THAT(refusal_of_text(std::string(n, '[') + std::string(n, ']')), Contains("nested"));
+        check_says(refusal_of_text(std::string(n, '[') + std::string(n, ']')), {"nested"});
         std::string deep = Gltf().document.dump();
         deep.insert(1, "\"extras\":" + std::string(n, '[') + std::string(n, ']') + ",");
-        CHECK_THAT(refusal(read_gltf(to_bytes(Gltf().glb(deep)), "test.glb")), Contains("nested"));
+        check_says(refusal(read_gltf(to_bytes(Gltf().glb(deep)), "test.glb")), {"nested"});
     }
     std::string objects;
     for (int i = 0; i < 20'000; ++i) {
         objects += "{\"extras\":";
     }
-    CHECK_THAT(refusal_of_text(objects), Contains("nested"));
+    check_says(refusal_of_text(objects), {"nested"});
 }
 
 TEST_CASE("gltf refuses: JSON with too many values") {
@@ -30,12 +26,12 @@ TEST_CASE("gltf refuses: JSON with too many values") {
     for (int i = 0; i < 300'000; ++i) {
         many += ",0";
     }
-    CHECK_THAT(refusal_of_text(many + "]}"), Contains("values"));
+    check_says(refusal_of_text(many + "]}"), {"values"});
     std::string arrays = "{\"a\":[[]";
     for (int i = 0; i < 200'000; ++i) {
         arrays += ",[]";
     }
-    CHECK_THAT(refusal_of_text(arrays + "]}"), Contains("values"));
+    check_says(refusal_of_text(arrays + "]}"), {"values"});
 }
 
 TEST_CASE("gltf: brackets and quotes inside names do not count as nesting") {

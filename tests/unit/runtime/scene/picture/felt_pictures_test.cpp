@@ -1,14 +1,11 @@
 #include "runtime/scene/picture/felt_pictures.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cmath>
 #include <numeric>
 #include <rapidcheck.h>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
-using Catch::Matchers::Contains;
+using namespace fulcrum::runtime::test;
 namespace fs = std::filesystem;
 
 namespace {
@@ -64,8 +61,7 @@ TEST_CASE("felt picture: whatever the size, the mean stays, and rows stay rows")
     }));
 }
 
-TEST_CASE(
-    "felt picture: no finer than a hand can tell, in the hand's metres, and of the file's shape") {
+TEST_CASE("felt picture: no finer than a hand can tell, in its metres, and of the file's shape") {
     FeltPictures pictures(FULCRUM_PICTURES, 1.0);
     // 16 x 8 pixels: on 10 m each stays; on 0.4 mm only 0.05 mm a pixel are kept.
     const FeltPicture wide = load(pictures, "grey.jpg", 10.0);
@@ -95,8 +91,8 @@ TEST_CASE("felt picture: a file is kept once for each width") {
 
 TEST_CASE("felt picture: what is not there or no picture is told with its file") {
     FeltPictures pictures(FULCRUM_PICTURES, 1.0);
-    CHECK_THAT(pictures.load("none.png", 0.05).error().message, Contains("none.png"));
-    CHECK_THAT(to_sentence(pictures.load("inks.jpg", 0.05).error()), Contains("inks.jpg: "));
+    check_says(pictures.load("none.png", 0.05).error().message, {"none.png"});
+    check_says(to_sentence(pictures.load("inks.jpg", 0.05).error()), {"inks.jpg: "});
 }
 
 TEST_CASE("felt picture: all of a lesson together have an end") {
@@ -107,8 +103,7 @@ TEST_CASE("felt picture: all of a lesson together have an end") {
     (void)load(pictures, "large.png", 1.0);  // the same again costs nothing
     const FeltPicture second = load(pictures, "large.png", (kMaxFeltSide_px - 1) * kFinestPixel_m);
     CHECK(static_cast<std::size_t>(second.heights->n_u) == kMaxFeltSide_px - 1);
-    const auto third = pictures.load("large.png", (kMaxFeltSide_px - 2) * kFinestPixel_m);
-    REQUIRE_FALSE(third);
-    CHECK(third.error().where == "large.png");
-    CHECK_THAT(third.error().message, Contains("too large together"));
+    const auto third = error_of(pictures.load("large.png", (kMaxFeltSide_px - 2) * kFinestPixel_m));
+    CHECK(third.where == "large.png");
+    check_says(third.message, {"too large together"});
 }
