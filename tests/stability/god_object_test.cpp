@@ -2,6 +2,7 @@
 #include "haptics/point/god_object.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/bumpy_ball.h"
 #include "tests/support/nearest_point.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
@@ -18,15 +19,6 @@ namespace {
 constexpr double kDepth = 0.02;  // of the radius: how deep the hand presses
 constexpr double kNearest =
     2.0e-5;  // the claim: the proxy's distance from the nearest point, in radii
-constexpr double kBumpHeight = 0.03;
-constexpr double kBumps = 20.0;
-
-double bumpy_radius(const Vector3& u) {
-    return 1.0 +
-           kBumpHeight *
-               (std::sin(kBumps * u.x()) + std::sin(kBumps * u.y()) + std::sin(kBumps * u.z())) /
-               3.0;
-}
 
 // Is there a free direction in which the proxy would come nearer to the hand? Then something holds it that is not there.
 bool is_snagged(const CollisionMesh& mesh, const Vector3& proxy, const Vector3& hand,

@@ -42,32 +42,40 @@ double push_in_starved_world(double late_periods) {
     return worst_J;
 }
 
-// The world stalls to 20 Hz while two fingers hold a box up: how far it sinks or swings then.
-Finding hold_while_world_starves() {
-    test::BoxScene scene;
-    scene.coupling = {.stiffness_N_per_m = 1000.0, .damping_Ns_per_m = 9.5};
-    scene.human = {0.05, 15.0, 3000.0};
-    const Vector3 side(kHalf_m + kFinger_m, 0.0, 0.0);
-    const Vector3 beside(0.02, 0.0, 0.0);
-    test::HandsInWorld hands(scene, {-side - beside, side + beside});
-    const auto squeeze = [&](double t, double lift_m) {
-        const Vector3 middle(0.0, 0.03 + lift_m, 0.0);
-        const Vector3 out =
-            side + beside * (1.0 - go_gently(t / 0.6)) - 0.3 * beside * go_gently(t / 0.6);
+// Two fingers beside a box, which squeeze it by `grip` of 0 to 1 about a middle.
+struct TwoFingers {
+    explicit TwoFingers(test::BoxScene scene)
+        : hands(make(std::move(scene)), {-kSide - kBeside, kSide + kBeside}) {}
+    void squeeze(const Vector3& middle, double grip) {
+        const Vector3 out = kSide + kBeside * (1.0 - 1.3 * grip);
         hands.aim(0, middle - out);
         hands.aim(1, middle + out);
-    };
-    for (int i = 0; i < 2000; ++i) {
-        squeeze(1.0e-3 * i, 0.1 * go_gently((1.0e-3 * i - 0.7) / 0.8));
         hands.step();
     }
-    const Vector3 before_W = hands.box_W(0).position;
-    hands.set_world_rate(kStarved_Hz, 1.0 / kStarved_Hz);
+    static test::BoxScene make(test::BoxScene scene) {
+        scene.coupling = {.stiffness_N_per_m = 1000.0, .damping_Ns_per_m = 9.5};
+        scene.human = {0.05, 15.0, 3000.0};
+        return scene;
+    }
+
+    static inline const Vector3 kSide{kHalf_m + kFinger_m, 0.0, 0.0};
+    static inline const Vector3 kBeside{0.02, 0.0, 0.0};
+    test::HandsInWorld hands;
+};
+
+// The world stalls to 20 Hz while two fingers hold a box up: how far it sinks or swings then.
+Finding hold_while_world_starves() {
+    TwoFingers fingers({});
+    for (int i = 0; i < 2000; ++i) {
+        const double t = 1.0e-3 * i;
+        fingers.squeeze({0.0, 0.03 + 0.1 * go_gently((t - 0.7) / 0.8), 0.0}, go_gently(t / 0.6));
+    }
+    const Vector3 before_W = fingers.hands.box_W(0).position;
+    fingers.hands.set_world_rate(kStarved_Hz, 1.0 / kStarved_Hz);
     double worst_m = 0.0;
     for (int i = 0; i < 3000; ++i) {
-        squeeze(2.0, 0.1);
-        hands.step();
-        worst_m = worse(worst_m, (hands.box_W(0).position - before_W).norm());
+        fingers.squeeze({0.0, 0.03 + 0.1, 0.0}, 1.0);
+        worst_m = worse(worst_m, (fingers.hands.box_W(0).position - before_W).norm());
     }
     return {worst_m, 1.0e-3, ""};
 }
@@ -75,24 +83,17 @@ Finding hold_while_world_starves() {
 // Two fingers carry a box onto another one: how far both are from where they should stand.
 Finding stack_by_hand() {
     test::BoxScene scene;
-    scene.coupling = {.stiffness_N_per_m = 1000.0, .damping_Ns_per_m = 9.5};
-    scene.human = {0.05, 15.0, 3000.0};
     scene.boxes.push_back({.at_W = {0.15, 0.03, 0.0}});
-    const Vector3 side(kHalf_m + kFinger_m, 0.0, 0.0);
-    const Vector3 beside(0.02, 0.0, 0.0);
-    test::HandsInWorld hands(scene, {-side - beside, side + beside});
+    TwoFingers fingers(scene);
     for (int i = 0; i < 5500; ++i) {
         const double t = 1.0e-3 * i;
-        const Vector3 middle(
-            0.15 * go_gently((t - 1.8) / 1.2),
-            0.03 + 0.09 * go_gently((t - 0.8) / 0.8) - 0.0285 * go_gently((t - 3.2) / 0.8), 0.0);
-        const double grip = go_gently(t / 0.6) - go_gently((t - 4.3) / 0.4);
-        hands.aim(0, middle - side - (1.0 - 1.3 * grip) * beside);
-        hands.aim(1, middle + side + (1.0 - 1.3 * grip) * beside);
-        hands.step();
+        fingers.squeeze(
+            {0.15 * go_gently((t - 1.8) / 1.2),
+             0.03 + 0.09 * go_gently((t - 0.8) / 0.8) - 0.0285 * go_gently((t - 3.2) / 0.8), 0.0},
+            go_gently(t / 0.6) - go_gently((t - 4.3) / 0.4));
     }
-    return {worse((hands.box_W(0).position - Vector3(0.15, 0.09, 0.0)).norm(),
-                  (hands.box_W(1).position - Vector3(0.15, 0.03, 0.0)).norm()),
+    return {worse((fingers.hands.box_W(0).position - Vector3(0.15, 0.09, 0.0)).norm(),
+                  (fingers.hands.box_W(1).position - Vector3(0.15, 0.03, 0.0)).norm()),
             3.0e-3, ""};
 }
 

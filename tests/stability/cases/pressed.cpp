@@ -11,6 +11,7 @@
 #include "haptics/point/make_proxy.h"
 #include "haptics/surface/shading.h"
 #include "tests/stability/cases/stability_case.h"
+#include "tests/support/bumpy_ball.h"
 #include "tests/support/nearest_point.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
@@ -24,8 +25,6 @@ namespace fulcrum::stability {
 namespace {
 
 constexpr double kDepth = 0.02;
-constexpr double kHeight = 0.03;
-constexpr double kBumps = 20.0;
 constexpr double kTube = 0.4;  // of the ring's radius of 1
 constexpr int kSteps = 20000;
 constexpr double kFar = 3.0;         // times the depth: further is a snag
@@ -37,15 +36,8 @@ struct Body {
     std::function<Vector3(const Vector3& u, double depth)> press;
 };
 
-double bumpy_radius(const Vector3& u) {
-    return 1.0 +
-           kHeight *
-               (std::sin(kBumps * u.x()) + std::sin(kBumps * u.y()) + std::sin(kBumps * u.z())) /
-               3.0;
-}
-
 Body make_ball(int frequency) {
-    return {touchable(make_bumpy_sphere(1.0, frequency, kHeight, kBumps)),
+    return {touchable(make_bumpy_sphere(1.0, frequency, kBumpHeight, kBumps)),
             [](const Vector3& u, double depth) { return Vector3(u * (bumpy_radius(u) - depth)); }};
 }
 
@@ -194,7 +186,7 @@ Finding find_turn(const Body& body) {
 Vector3 bumpy_normal(const Vector3& p) {
     const Vector3 u = p.normalized();
     const Vector3 slope =
-        kHeight * kBumps / 3.0 * (kBumps * u).unaryExpr([](double x) { return std::cos(x); });
+        kBumpHeight * kBumps / 3.0 * (kBumps * u).unaryExpr([](double x) { return std::cos(x); });
     return (u - (slope - u.dot(slope) * u) / p.norm()).normalized();
 }
 

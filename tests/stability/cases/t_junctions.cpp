@@ -5,6 +5,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/make_proxy.h"
 #include "tests/stability/cases/stability_case.h"
+#include "tests/support/bumpy_ball.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
@@ -18,17 +19,8 @@ namespace fulcrum::stability {
 namespace {
 
 constexpr double kDepth = 0.02;
-constexpr double kHeight = 0.03;
-constexpr double kBumps = 20.0;
 constexpr double kFar = 3.0;  // times the depth: further is a snag
 constexpr int kSteps = 20000;
-
-double bumpy_radius(const Vector3& u) {
-    return 1.0 +
-           kHeight *
-               (std::sin(kBumps * u.x()) + std::sin(kBumps * u.y()) + std::sin(kBumps * u.z())) /
-               3.0;
-}
 
 // A point where the radius is 0.
 std::unique_ptr<Proxy> make(const std::shared_ptr<const CollisionMesh>& mesh, double radius) {
@@ -40,7 +32,7 @@ std::unique_ptr<Proxy> make(const std::shared_ptr<const CollisionMesh>& mesh, do
 }
 
 Finding slide_over(int frequency, double radius) {
-    const auto split = make_t_junctions(*make_bumpy_sphere(1.0, frequency, kHeight, kBumps));
+    const auto split = make_t_junctions(*make_bumpy_sphere(1.0, frequency, kBumpHeight, kBumps));
     const auto mesh = touchable(split);
     const auto proxy = make(mesh, radius);
     Wanderer wanderer(21);

@@ -2,13 +2,11 @@
 // and without. A field pushes from the surface on inwards, without a layer outside and without brakes.
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
-#include "haptics/tool/voxel_tool.h"
-#include "tests/stability/cases/stability_case.h"
+#include "tests/stability/cases/tool_course.h"
 #include "tests/support/gear.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,7 +14,6 @@
 namespace fulcrum::stability {
 namespace {
 
-constexpr double kDt_s = 0.001;
 constexpr double kCoupling_N_per_m = 500.0;
 
 struct Scene {
@@ -56,8 +53,7 @@ struct Rest {
 };
 
 // The handle goes by `course` of 0 to 1 in the first half, and stays.
-Rest press(const Scene& scene, ToolMass mass, int n_steps,
-           const std::function<Pose(double)>& course) {
+Rest press(const Scene& scene, ToolMass mass, int n_steps, const ToolCourse& course) {
     FieldTool tool = make_tool(scene, mass);
     Rest rest;
     rest.clamp_N = kCoupling_N_per_m * tool.coupling().clamp_m;
@@ -65,12 +61,12 @@ Rest press(const Scene& scene, ToolMass mass, int n_steps,
     Vector3 last = tool.state().pose_W.position;
     for (int i = 1; i <= n_steps; ++i) {
         const double share = std::min(1.0, 2.0 * i / n_steps);
-        const VoxelToolResult result = tool.step({course(share), {}}, {}, i * kDt_s, kDt_s);
+        const VoxelToolResult result = tool.step({course(share), {}}, {}, i * kToolDt_s, kToolDt_s);
         rest.went_through |= result.contact.n_interior > 0;
         const Vector3 now = tool.state().pose_W.position;
         if (i > n_steps * 4 / 5) {
             // By its places, for a tool without mass has no velocity.
-            rest.speed_m_per_s = worse(rest.speed_m_per_s, (now - last).norm() / kDt_s);
+            rest.speed_m_per_s = worse(rest.speed_m_per_s, (now - last).norm() / kToolDt_s);
             rest.felt_N = result.felt_W.force.norm();
             rest.n_touching = result.contact.n_surface;
         }
@@ -80,7 +76,7 @@ Rest press(const Scene& scene, ToolMass mass, int n_steps,
 }
 
 // Both kinds of tool. Speed in 20 mm/s, and the force off the clamp's, for the hand is far deeper than the coupling pulls.
-Finding judge(const Scene& scene, int n_steps, const std::function<Pose(double)>& course) {
+Finding judge(const Scene& scene, int n_steps, const ToolCourse& course) {
     double worst = 0.0;
     std::string note;
     for (const ToolMass mass : {ToolMass::massive, ToolMass::massless}) {
@@ -93,10 +89,6 @@ Finding judge(const Scene& scene, int n_steps, const std::function<Pose(double)>
                          1.0e3 * rest.speed_m_per_s, static_cast<int>(rest.n_touching));
     }
     return {worst, 1.0, note};
-}
-
-std::function<Pose(double)> along(const Vector3& from, const Vector3& to) {
-    return [from, to](double share) { return Pose::at(from + share * (to - from)); };
 }
 
 Finding rest_on_ten_thousand() {

@@ -35,7 +35,23 @@ struct Rig {
     }
     bool read() {
         now_s += 0.001;
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
         return hand->read(now_s, reading);
+    }
+    // For twice as long as a stick may be silent.
+    void read_on() {
+        const double until_s = monotonic_now_s() + 2.0 * HidHandSettings{}.stick_silence_s;
+        while (monotonic_now_s() < until_s) {
+            (void)read();
+        }
+    }
+    // `n` reports, one a millisecond.
+    template <class Report>
+    void say(int n, const Report& report) {
+        for (int i = 0; i < n; ++i) {
+            bus->report(kPath, report(i));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
     }
     std::shared_ptr<MemoryBus> bus = std::make_shared<MemoryBus>();
     std::unique_ptr<HidHand> hand;
@@ -268,31 +284,19 @@ TEST_CASE(
     StickRig rig;
     CHECK(eventually([&] { return rig.read(); }));
     // No two reports alike, then none for twice as long as would be a fault.
-    for (int i = 0; i < 200; ++i) {
-        rig.bus->report(kPath, stick_report({}, i % 2, i, 0, 0));
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    const double silence_s = HidHandSettings{}.stick_silence_s;
-    const double until_s = monotonic_now_s() + 2.0 * silence_s;
-    while (monotonic_now_s() < until_s) {
-        (void)rig.read();
-    }
+    rig.say(200, [](int i) { return stick_report({}, i % 2, i, 0, 0); });
+    rig.read_on();
     CHECK(eventually([&] { return rig.read(); }));
     // The same again and again, then nothing; and it speaks again.
+    const auto same = [](int) { return stick_report({}, 20, 30, 0, 0); };
     for (int round = 0; round < 2; ++round) {
         CHECK(eventually([&] {
-            for (int i = 0; i < 100; ++i) {
-                rig.bus->report(kPath, stick_report({}, 20, 30, 0, 0));
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            }
-            const double began_s = monotonic_now_s();
-            while (monotonic_now_s() < began_s + 2.0 * silence_s) {
-                (void)rig.read();
-            }
+            rig.say(100, same);
+            rig.read_on();
             return !rig.read();
         }));
         CHECK(eventually([&] {
-            rig.bus->report(kPath, stick_report({}, 20, 30, 0, 0));
+            rig.say(1, same);
             return rig.read();
         }));
     }
@@ -301,15 +305,9 @@ TEST_CASE(
 TEST_CASE("HID hand: what has no motors may repeat itself and fall silent, and keeps its place") {
     CapRig rig;
     CHECK(eventually([&] {
-        for (int i = 0; i < 100; ++i) {
-            rig.bus->report(kPath, cap_report(1, {0, 0, 0}));
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        rig.say(100, [](int) { return cap_report(1, {0, 0, 0}); });
         return rig.read();
     }));
-    const double until_s = monotonic_now_s() + 2.0 * HidHandSettings{}.stick_silence_s;
-    while (monotonic_now_s() < until_s) {
-        (void)rig.read();
-    }
+    rig.read_on();
     CHECK(eventually([&] { return rig.read(); }));
 }
