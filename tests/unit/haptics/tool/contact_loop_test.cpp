@@ -35,18 +35,20 @@ class OnePoint final : public ContactFinder {
     int& n_asked_;
 };
 
+auto create_loop(int n_objects, ContactChannels& channels, int& n_asked) {
+    std::vector<std::unique_ptr<ContactFinder>> finders;
+    for (int i = 0; i < n_objects; ++i) {
+        finders.push_back(std::make_unique<OnePoint>(n_asked));
+    }
+    return ContactLoop::create(std::move(finders), {}, channels);
+}
+
 struct Bench {
     int n_asked = 0;
     ContactChannels channels;
     std::unique_ptr<ContactLoop> loop;
 
-    explicit Bench(std::size_t n_objects = 1) {
-        std::vector<std::unique_ptr<ContactFinder>> finders;
-        for (std::size_t i = 0; i < n_objects; ++i) {
-            finders.push_back(std::make_unique<OnePoint>(n_asked));
-        }
-        loop = ContactLoop::create(std::move(finders), {}, channels).value();
-    }
+    explicit Bench(int n_objects = 1) : loop(create_loop(n_objects, channels, n_asked).value()) {}
     // Where the contact model is, if there is a new one.
     const ContactModel* look(const ToolPlace& place) {
         channels.place.publish(place);
@@ -141,15 +143,11 @@ TEST_CASE(
 
 TEST_CASE("contact loop: what cannot be is refused") {
     ContactChannels channels;
-    CHECK_FALSE(ContactLoop::create({}, {}, channels));
+    int n_asked = 0;
+    CHECK_FALSE(create_loop(0, channels, n_asked));
+    CHECK_FALSE(create_loop(kMaxSolids + 1, channels, n_asked));
     std::vector<std::unique_ptr<ContactFinder>> none(1);
     CHECK_FALSE(ContactLoop::create(std::move(none), {}, channels));
-    int n_asked = 0;
-    std::vector<std::unique_ptr<ContactFinder>> many;
-    for (int i = 0; i <= kMaxSolids; ++i) {
-        many.push_back(std::make_unique<OnePoint>(n_asked));
-    }
-    CHECK_FALSE(ContactLoop::create(std::move(many), {}, channels));
     test::check_refused(
         ContactLoopSettings{},
         {[](auto& s) { s.most_near = 1; }, [](auto& s) { s.clusters.most = 0; },
@@ -207,12 +205,14 @@ TEST_CASE("contact loop: a budget is shared among those that were near, and none
         return ContactLoop::create(std::move(finders), settings, channels).value();
     };
     const auto loop = make(1.0e5);
-    for (int i = 1; i <= 2; ++i) {
+    const auto ask = [&](ContactLoop& asked, double stamp_s) {
         given_us.clear();
-        channels.place.publish(place_at(0.0, 0.001 * i, 3));
-        loop->step(0.0);
+        channels.place.publish(place_at(0.0, stamp_s, 3));
+        asked.step(0.0);
         REQUIRE(channels.model.take());
-    }
+    };
+    ask(*loop, 0.001);
+    ask(*loop, 0.002);
     // 100 ms: half of it for the first of two that are near, then half of what is left, then all of that.
     REQUIRE(given_us.size() == 3);
     CHECK(given_us[0] <= 0.5e5);
@@ -222,19 +222,12 @@ TEST_CASE("contact loop: a budget is shared among those that were near, and none
     CHECK(given_us[2] > given_us[0]);
     CHECK_FALSE(channels.model.value().is_cut);
     // One that is over by far: all are asked, and it is told.
-    const auto late = make(100.0);
-    given_us.clear();
-    channels.place.publish(place_at(0.0, 0.003, 3));
-    late->step(0.0);
-    REQUIRE(channels.model.take());
+    ask(*make(100.0), 0.003);
     CHECK(given_us.size() == 3);
     CHECK(given_us[2] == 1.0);
     CHECK(channels.model.value().is_cut);
     CHECK(channels.model.value().n_near == 2);
     // Without one nobody is hurried.
-    const auto calm = make(0.0);
-    given_us.clear();
-    channels.place.publish(place_at(0.0, 0.004, 3));
-    calm->step(0.0);
+    ask(*make(0.0), 0.004);
     CHECK(given_us == std::vector<double>(3, 0.0));
 }

@@ -5,13 +5,13 @@
 #include "haptics/tool/contact_clusters.h"
 #include "haptics/tool/implicit_penalty.h"
 #include "tests/support/jaws.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 
 using namespace fulcrum;
@@ -182,9 +182,7 @@ TEST_CASE(
     plan.settings.contacts.within_m = 0.25 * kWithin_m;
     CHECK(ImplicitPenaltyTool::build(plan));
     plan.settings.clusters.within_m = 1.5 * kWithin_m;
-    const auto refused = ImplicitPenaltyTool::build(plan);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("within_m") != std::string::npos);
+    CHECK(test::is_refused(ImplicitPenaltyTool::build(plan), "within_m"));
     plan.meshes.front().tool = nullptr;
     CHECK_FALSE(ImplicitPenaltyTool::build(plan));
 }

@@ -1,11 +1,13 @@
-#include "haptics/geometry/shape.h"
-#include "haptics/voxel/distance_field.h"
+#include "tests/support/edited_meshes.h"
+#include "tests/support/field_parts.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
-#include <limits>
+#include <cmath>
 
 using namespace fulcrum;
+using test::build_field;
 
 TEST_CASE("distance field settings: the frame holds the mesh with its band, for all shapes") {
     for (const Vector3& edges : {Vector3(1.0, 1.0, 1.0), Vector3(3.0, 0.1, 0.7)}) {
@@ -35,41 +37,31 @@ TEST_CASE("distance field settings: what cannot be built is refused with a reaso
     CHECK_FALSE(DistanceField::build(ball, flat));
     VoxelFrame aside = good;
     aside.lower_O.x() += 4.0 * good.voxel_m;
-    const auto refused = DistanceField::build(ball, aside);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("from the mesh; take a larger block") !=
-          std::string::npos);
+    CHECK(
+        test::is_refused(DistanceField::build(ball, aside), "from the mesh; take a larger block"));
 
-    CHECK_FALSE(validate(DistanceFieldSettings{.band_voxels = 1.0}));
-    CHECK_FALSE(
-        validate(DistanceFieldSettings{.band_voxels = std::numeric_limits<double>::quiet_NaN()}));
-    CHECK_FALSE(validate(DistanceFieldSettings{.n_threads = 0}));
+    test::check_refused(
+        DistanceFieldSettings{},
+        {[](auto& s) { s.band_voxels = 1.0; }, [](auto& s) { s.band_voxels = std::nan(""); },
+         [](auto& s) { s.n_threads = 0; }, [](auto& s) { s.sheet_voxels = 0.5; },
+         [](auto& s) { s.sheet_voxels = 3.5; },  // more than the band
+         [](auto& s) { s.sheet_voxels = std::nan(""); }});
     CHECK(validate(DistanceFieldSettings{.sheet_voxels = 3.0}));
-    CHECK_FALSE(validate(DistanceFieldSettings{.sheet_voxels = 0.5}));
-    CHECK_FALSE(validate(DistanceFieldSettings{.sheet_voxels = 3.5}));  // more than the band
-    CHECK_FALSE(
-        validate(DistanceFieldSettings{.sheet_voxels = std::numeric_limits<double>::quiet_NaN()}));
     // A sheet is that much larger than its mesh.
     CHECK_FALSE(DistanceField::build(ball, good, {.sheet_voxels = 2.0}));
-    CHECK(DistanceField::build(ball, DistanceField::make_frame(ball, 64, 5.0).value(),
-                               {.sheet_voxels = 2.0}));
+    CHECK(build_field(ball, 64, {.sheet_voxels = 2.0}).sheet_m() > 0.0);
     CHECK_FALSE(DistanceField::build(ball, good, {.n_threads = 0}));
-    CHECK(validate(DistanceFieldSettings{}));
 }
 
 TEST_CASE("distance field settings: who loads a mesh with holes is told what they lead to") {
     const TriangleMesh ball = *make_sphere(1.0, 4);
-    CHECK_FALSE(
-        DistanceField::build(ball, DistanceField::make_frame(ball, 32).value())->tell_holes());
-    std::vector<TriangleCorners> triangles = ball.triangles();
-    triangles.pop_back();
-    const TriangleMesh open = *TriangleMesh::build(ball.vertices_B(), triangles);
-    const VoxelFrame frame = DistanceField::make_frame(open, 32, 5.0).value();
-    const auto told = DistanceField::build(open, frame)->tell_holes();
+    CHECK_FALSE(build_field(ball, 32).tell_holes());
+    const TriangleMesh open = test::take_first(ball, -1);
+    const auto told = build_field(open, 32).tell_holes();
     REQUIRE(told);
     CHECK(to_sentence(*told) ==
           "the mesh has 3 open edges: its holes are felt as if skins closed them, and a tool that "
           "looks only at what is near may pass through these; close the holes, or build the field "
           "as a sheet (sheet_voxels).");
-    CHECK_FALSE(DistanceField::build(open, frame, {.sheet_voxels = 2.0})->tell_holes());
+    CHECK_FALSE(build_field(open, 32, {.sheet_voxels = 2.0}).tell_holes());
 }

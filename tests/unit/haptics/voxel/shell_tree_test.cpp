@@ -1,6 +1,7 @@
 #include "haptics/voxel/shell_tree.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
@@ -113,7 +114,5 @@ TEST_CASE("shell tree: a shell without points or with none that are numbers is r
     CHECK_FALSE(ShellTree::build({}));
     Pointshell shell = make_shell(40);
     shell.y_m[17] = std::numeric_limits<float>::quiet_NaN();
-    const auto refused = ShellTree::build(shell);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("point 17") != std::string::npos);
+    CHECK(test::is_refused(ShellTree::build(shell), "point 17"));
 }
