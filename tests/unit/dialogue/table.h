@@ -1,30 +1,37 @@
-// Tables of what goes in and what comes out: NAME_table.txt beside the tests of a folder, a case a line. A line is
-//
-//   IN => OUT        what comes out is OUT
-//   IN =~ OUT        the same, where " … " in OUT stands for anything
-//   IN               what comes out is that of the last @give
-//   @each IN / IN    several of these
-//   @law NAME        what the lines below it show
-//   @try PROBE WITH  what is done with what goes in; the test of the folder has the probes
-//   @give OUT
-//   # …              says why
-//
-// A text in quotes may have \n, \t, \r, \\, \" and \xHH in it. What is asked stands above, and holds until the next lines of
-// this kind: "@question NAME" for one of questions.h, or a question of its own:
+// Tables (tests/support/table.h) of what is said to a question. It stands above, and holds until the next lines of this kind:
+// "@question NAME" for one of questions.h, or a question of its own:
 //
 //   @prompt Which one?    @answer [the] {thing} is red    @nearly {thing} be red
 //   @list thing: ball, box|case    @rule place: (on|under) it    @lists NAME (fruit or textures)
 #pragma once
 
 #include "dialogue/marking/question.h"
+#include "dialogue/template/tokens.h"
+#include "tests/support/table.h"
+#include "tests/unit/dialogue/questions.h"
 
 #include <functional>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace fulcrum::dialogue {
+
+using fulcrum::listed;
+using fulcrum::spaced;
+using fulcrum::yes_or_no;
+
+/// One of questions.h by its id.
+[[nodiscard]] inline Question question_named(const std::string& name) {
+    for (Question& question : all_questions()) {
+        if (question.id == name) {
+            return std::move(question);
+        }
+    }
+    throw std::runtime_error("questions.h has no question " + name);
+}
 
 /// What stands above a line.
 class TableScene {
@@ -37,7 +44,7 @@ class TableScene {
     [[nodiscard]] const Question& question();
     [[nodiscard]] const TemplateSet& templates() { return *question().templates; }
 
-    /// Takes a line that begins with @, but for @law, @try and @give.
+    /// Takes what stands behind @law, or a line of a question.
     void read(const std::string& word, const std::string& rest);
     /// What is asked next is asked anew.
     void row_done() { done_ = true; }
@@ -49,29 +56,66 @@ class TableScene {
 
 using Probe = std::function<std::string(TableScene& scene, const std::string& in)>;
 
-/// Holds each table of a folder under tests/unit/dialogue, a section each. A table without a line, a line without an
-/// outcome and an unknown probe fail.
-void hold_tables(const std::string& folder, const std::map<std::string, Probe>& probes);
-
-/// Each with a blank behind the one before.
-template <class Range>
-[[nodiscard]] std::string spaced(const Range& texts, const char* between = " ") {
-    std::string all;
-    bool first = true;
-    for (const auto& text : texts) {
-        all += first ? "" : between;
-        all += text;
-        first = false;
+inline const Question& TableScene::question() {
+    if (!question_) {
+        question_ = std::make_shared<const Question>(compiled(source));
     }
-    return all;
+    return *question_;
 }
 
-/// The parts of "a, b, c"; none of "".
-[[nodiscard]] std::vector<std::string> listed(const std::string& text,
-                                              const std::string& between = ", ");
+inline void TableScene::read(const std::string& word, const std::string& rest) {
+    if (word == "law") {
+        law = rest;
+        return;
+    }
+    question_.reset();
+    if (std::exchange(done_, false) || word == "question") {
+        source = {"q", "Which one?", {}};
+    }
+    const std::size_t colon = std::min(rest.find(':'), rest.size());
+    const std::string name = rest.substr(0, colon);
+    const std::string behind =
+        colon < rest.size() ? std::string(without_blanks(rest.substr(colon + 1))) : "";
+    if (word == "question") {
+        question_ = std::make_shared<const Question>(question_named(rest));
+        done_ = true;
+    } else if (word == "prompt") {
+        source.prompt = rest;
+    } else if (word == "answer") {
+        source.answers.push_back(table_field(rest));
+    } else if (word == "nearly") {
+        source.nearly.push_back(table_field(rest));
+    } else if (word == "list") {
+        source.lists.emplace_back(name, listed(behind));
+    } else if (word == "rule") {
+        source.rules.emplace_back(name, behind);
+    } else if (word == "lists") {
+        const NamedLists& lists = rest == "fruit" ? fruit() : textures();
+        source.lists.insert(source.lists.end(), lists.begin(), lists.end());
+    } else {
+        throw std::runtime_error("a table has no @" + word);
+    }
+}
 
-[[nodiscard]] inline std::string yes_or_no(bool is) {
-    return is ? "yes" : "no";
+/// Holds each table of a folder under tests/unit/dialogue, a section each.
+inline void hold_tables(const std::string& folder, const std::map<std::string, Probe>& probes) {
+    fulcrum::hold_tables(FULCRUM_SOURCE_DIR "/tests/unit/dialogue/" + folder, [&probes] {
+        const auto scene = std::make_shared<TableScene>();
+        TableReader reader;
+        for (const auto& [name, probe] : probes) {
+            reader.probes[name] = [scene, probe = probe](const std::string& with,
+                                                         const std::string& in) {
+                scene->with = with;
+                std::string out = probe(*scene, in);
+                scene->row_done();
+                return out;
+            };
+        }
+        reader.direct = [scene](const std::string& word, const std::string& rest) {
+            scene->read(word, rest);
+        };
+        return reader;
+    });
 }
 
 }  // namespace fulcrum::dialogue

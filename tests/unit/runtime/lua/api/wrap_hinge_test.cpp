@@ -12,10 +12,6 @@ using test::HostedLesson;
 
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
-std::string refusal(const std::string& body) {
-    return HostedLesson().start("world:body { name = 'lever', " + body + " }");
-}
-
 TEST_CASE("hinges: a declared hinge is in the description, in radians and the body's own metres") {
     HostedLesson lesson;
     REQUIRE(lesson.start("world:body { name = 'lever', solid = true, at = { 1, 2, 0 }, hinge = { "
@@ -84,47 +80,6 @@ TEST_CASE("hinges: fields tell how each one stands, in degrees") {
     CHECK(lesson.prints == "45.0\t-10.0\t0.75;-0.5\t0.25\t0.75;");
 }
 
-TEST_CASE("hinges: what makes no sense is told at its line") {
-    CHECK(refusal("hinge = { axis = { 0, 0, 1 }, inertia = 1 }") ==
-          "lesson.lua:2: lever has a hinge but can't be touched; add solid = true.");
-    CHECK(refusal("solid = true, movable = true, hinge = { axis = { 0, 0, 1 }, inertia = 1 }") ==
-          "lesson.lua:2: lever has a hinge and is movable; leave out one of them.");
-    CHECK(refusal("solid = true, hinge = { axis = { 0, 0, 0 }, inertia = 1 }") ==
-          "lesson.lua:2: the axis of lever has no direction; {0, 1, 0} stands upright.");
-    CHECK(
-        refusal("solid = true, hinge = { axis = { 0, 0, 1 }, inertia = 1, lowest = 10 }") ==
-        "lesson.lua:2: the hinge of lever begins at 0 degrees; lowest is at most 0, and highest at "
-        "least 0.");
-    CHECK(refusal("solid = true, hinge = { axis = { 0, 0, 1 }, inertia = 0 }").find("inertia") !=
-          std::string::npos);
-    CHECK(refusal("solid = true, hinge = { axis = { 0, 0, 1 } }").find("inertia") !=
-          std::string::npos);
-    // An axis that nobody gave would be a door that turns like a wheel.
-    CHECK(refusal("solid = true, hinge = { inertia = 1 }").find("axis") != std::string::npos);
-    CHECK(HostedLesson().start("world:body { name = 'a' }:turn { spin = 1 }") ==
-          "lesson.lua:2: only a body on a hinge has a turn; declare a with hinge = { axis = …, "
-          "inertia = … }.");
-    CHECK(HostedLesson().start("print(world:body { name = 'a' }.torque)") ==
-          "lesson.lua:2: only a body on a hinge has a torque; declare a with hinge = { axis = …, "
-          "inertia = … "
-          "}.");
-}
-
-TEST_CASE("hinges: who cannot be placed is told what can be done") {
-    const auto sentence = [](const std::string& more) {
-        return HostedLesson().start(
-            "local door = world:body { name = 'door', solid = true, hinge = { axis = { 0, 1, 0 }, "
-            "inertia = 1 } }\n" +
-            more + "\ndoor:place { at = { 0, 1, 0 } }");
-    };
-    CHECK(sentence("") ==
-          "lesson.lua:4: door stays as it is, for no body of this lesson is movable; declare any "
-          "other body with movable = true, or move its hinge, door:turn { at = … }.");
-    CHECK(sentence("world:body { name = 'egg', movable = true }").empty());
-    CHECK(HostedLesson().start("local a = world:body { name = 'a' } print(a.tork)") ==
-          "lesson.lua:2: body has no \"tork\"; did you mean \"torque\"?");
-}
-
 TEST_CASE("world: the day is known once the lesson runs") {
     HostedLesson lesson;
     REQUIRE(lesson.load("function L:update(world) print(world.day) end") == "");
@@ -132,9 +87,6 @@ TEST_CASE("world: the day is known once the lesson runs") {
     ready.day = 9669.5;
     REQUIRE(lesson.play(lesson.frame({ready})) == "");
     CHECK(lesson.prints == "9669.5;");
-    CHECK(HostedLesson().start("print(world.day)") ==
-          "lesson.lua:2: world.day is known once the lesson runs, in L:update and later, not in "
-          "L:start.");
 }
 
 }  // namespace

@@ -104,27 +104,5 @@ TEST_CASE("kite api: it tells how it flies") {
     CHECK(lesson.prints.find("\t-1.0\t") != std::string::npos);
 }
 
-TEST_CASE("kite api: mistakes are told with their line") {
-    const auto refusal = [](const std::string& body) { return HostedLesson().start(body); };
-    CHECK(refusal("world:kite { bridle = 0.7 }") ==
-          "lesson.lua:2: a bridle of 0.7 m is too short for a kite of 0.8 m: it goes from the foot "
-          "over the knot to the top; make it longer than 0.808 m.");
-    CHECK(refusal("world:kite { knot = 0.05 }") ==
-          "lesson.lua:2: a knot at 0.05 m makes no triangle on this bridle; put it between 0.1 and "
-          "0.9 m from the foot.");
-    CHECK(refusal("world:kite {} world:kite {}") ==
-          "lesson.lua:2: a lesson has one kite; this is the second world:kite { … }; change the "
-          "first one with kite:build { … }.");
-    CHECK(refusal("world:wind { towards = { 0, 1, 0 } }") ==
-          "lesson.lua:2: the wind blows along the ground; {1, 0, 0} blows to the right, {0, 0, -1} "
-          "away from the viewer.");
-    CHECK(refusal("world:wind_speed(3)") ==
-          "lesson.lua:2: nothing flies in this wind; declare a world:kite { … } in L:start.");
-    CHECK_THAT(refusal("world:kite { shape = 'dimond' }"), Catch::Contains("diamond"));
-    CHECK_THAT(refusal("local k = world:kite {} k:reel(500)"), Catch::Contains("lesson.lua:2"));
-    CHECK_THAT(refusal("local k = world:kite {} print(k.altitute)"),
-               Catch::Contains("did you mean \"altitude\"?"));
-}
-
 }  // namespace
 }  // namespace fulcrum::runtime

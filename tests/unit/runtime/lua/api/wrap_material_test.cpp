@@ -11,10 +11,6 @@ namespace {
 
 using test::HostedLesson;
 
-std::string sentence(const std::string& in_start) {
-    return HostedLesson().start(in_start);
-}
-
 TEST_CASE("materials: five lines make one out of another and a picture") {
     HostedLesson lesson;
     REQUIRE(lesson.start(R"(
@@ -67,55 +63,6 @@ TEST_CASE("materials: of numbers alone, with grooves or bumps and a tap") {
     CHECK(materials[1].felt.transient.decay_per_s == Approx(50.0));
 }
 
-TEST_CASE("materials: what is wrong is told with its line and what was meant") {
-    const auto material = [](const std::string& fields) {
-        return sentence("world:material { name = 'm', " + fields + " }");
-    };
-    CHECK(sentence("world:body { name = 'a', solid = true, material = 'metl' }") ==
-          "lesson.lua:2: there is no material \"metl\"; did you mean \"metal\"?");
-    CHECK_THAT(material("like = 'marshmallow'"),
-               Catch::Contains("there is no material \"marshmallow\"; there are ") &&
-                   Catch::Contains("sandpaper"));
-    CHECK(sentence("world:body { name = 'a', material = 'wood' }") ==
-          "lesson.lua:2: a has a material but can't be touched; add solid = true.");
-    CHECK(sentence("world:body { name = 'a', rounded = true }") ==
-          "lesson.lua:2: a is rounded but can't be touched; add solid = true.");
-    CHECK(sentence("world:body { name = 'a', solid = true, material = 3 }") ==
-          "lesson.lua:2: body.material is a material or the name of one; got 3.");
-    CHECK(material("stiffness = 1e5") ==
-          "lesson.lua:2: material.stiffness is in newtons per metre, 10 to 5000; got 100000.");
-    CHECK(material("texture = { grooves = 2 }") ==
-          "lesson.lua:2: material.texture.grooves is in metres, 0.0001 to 1; got 2.");
-    CHECK(material("texture = { hieght = 2 }") ==
-          "lesson.lua:2: material.texture has no field \"hieght\"; did you mean \"height\"?");
-    CHECK(material("texture = 'felt.jpg'") ==
-          "lesson.lua:2: material.texture is a table of fields { … }; got the text \"felt.jpg\".");
-    CHECK(material("texture = { height = 0.001 }") ==
-          "lesson.lua:2: material.texture has no relief; give it image, grooves or bumps.");
-    CHECK(material("texture = { grooves = 0.01, bumps = 0.01 }") ==
-          "lesson.lua:2: material.texture has an image, grooves or bumps; give one of them.");
-    CHECK(material("texture = { grooves = 0.01, law = 'latteral' }") ==
-          "lesson.lua:2: material.texture.law is \"perturbed_normal\", \"lateral\" or "
-          "\"height_offset\"; got the text \"latteral\"; did you mean \"lateral\"?");
-    for (const std::string image :
-         {"../felt.png", "felt.gif", "/etc/felt.png", ".png", "felt(1).png"}) {
-        CHECK(material("texture = { image = '" + image + "' }") ==
-              "lesson.lua:2: material.texture.image is the name of a .png, .jpg or .jpeg file "
-              "beside the lesson, in letters a to z, digits, blanks, \"-\" and \"_\"; got \"" +
-                  image + "\".");
-    }
-    CHECK(
-        material("friction = 0.2, sliding_friction = 0.3") ==
-        "lesson.lua:2: material.sliding_friction is more than friction; what slides is never held "
-        "more than what rests.");
-    CHECK(sentence("world:material { name = 'm' } world:material { name = 'm' }") ==
-          "lesson.lua:2: there is already a material \"m\"; give this one another name.");
-    CHECK(sentence("for i = 1, 33 do world:material { name = 'm' .. i } end") ==
-          "lesson.lua:2: a lesson has at most 32 materials.");
-    CHECK(sentence("world:material { name = 'm' }.hardness = 3") ==
-          "lesson.lua:2: material.hardness can't be set; it shows how things stand.");
-}
-
 TEST_CASE("materials: a body knows what it is made of, and that it is covered") {
     HostedLesson lesson;
     REQUIRE(lesson.load(R"(local a, b
@@ -145,9 +92,6 @@ function L:update() print(a.material.hardness, a.material.roughness, a.material.
             "");
     CHECK(lesson.play(lesson.frame({ReadyEvent{{0.0}, 1.0, {{0.75, 0.5, 0.25}}}})) == "");
     CHECK(lesson.prints == "0.75\t0.5\t0.25;0.5;");
-    CHECK(sentence("print(world:material { name = 'm' }.hardness)") ==
-          "lesson.lua:2: what a material is like is known once the lesson runs, in L:update and "
-          "later, not in L:start.");
 }
 
 TEST_CASE("hand: what touches is chosen by name") {
@@ -164,9 +108,6 @@ TEST_CASE("hand: what touches is chosen by name") {
     REQUIRE(plain.start("world:hand {}") == "");
     CHECK_FALSE(plain.host->description().hand.proxy.has_value());
     CHECK(std::holds_alternative<std::monostate>(plain.host->description().hand.cursor));
-    CHECK(sentence("world:hand { proxy = 'god' }") ==
-          "lesson.lua:2: hand.proxy is \"god_object\", \"virtual_proxy\" or \"friction_cone\"; got "
-          "the text \"god\".");
     for (const char* shape : {"box", "capsule", "cylinder"}) {
         HostedLesson shaped;
         REQUIRE(shaped.start(std::string("world:hand { cursor = '") + shape + "' }") == "");
@@ -247,65 +188,6 @@ TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name"
     const CursorShape& shape = upright.host->description().hand.tool->shape;
     REQUIRE(std::holds_alternative<CylinderShape>(shape));
     CHECK(std::get<CylinderShape>(shape).half_height_m == 0.05);
-}
-
-TEST_CASE("hand: mistakes with a tool get one sentence") {
-    CHECK(sentence("world:hand { cursor = 'ball', tool = {} }") ==
-          "lesson.lua:2: the hand has a tool and a cursor; leave out one of them.");
-    CHECK(sentence("world:hand { cursor_size = 0.01, tool = {} }") ==
-          "lesson.lua:2: the hand has a tool and a cursor_size; leave out one of them.");
-    CHECK(sentence("world:hand { proxy = 'god_object', tool = {} }") ==
-          "lesson.lua:2: the hand has a tool and a proxy; leave out one of them.");
-    // What would not be looked at.
-    const std::vector<std::pair<std::string, std::string>> useless{
-        {"model = 'gear', radius = 0.1", "radius is of no use: a model has its own size"},
-        {"model = 'gear', length = 0.1", "length is of no use: a model has its own size"},
-        {"model = 'sphere', length = 0.1", "length is of no use: a model has its own size"},
-        {"shape = 'ball', length = 0.1", "length is of no use: a ball has none"},
-        {"massless = true, mass = 0.1", "mass is of no use: it is massless"},
-        {"massless = true, integrator = 'verlet'",
-         "integrator is of no use: it is massless, and rests where all balances"},
-        {"method = 'implicit_penalty', integrator = 'verlet'",
-         "integrator is of no use: implicit_penalty is moved on by backward_euler"},
-        {"method = 'implicit_penalty', massless = true",
-         "massless is of no use: implicit_penalty moves a mass"},
-        {"rounded = true", "rounded is of no use: of all methods god_object alone feels facets"},
-        {"contact = 'levels'",
-         "contact is of no use: implicit_penalty alone has a choice of contacts"},
-        {"method = 'god_object', contact = 'fields'",
-         "contact is of no use: implicit_penalty alone has a choice of contacts"},
-        {"method = 'implicit_penalty', detail = 0.1",
-         "detail is of no use: contact = \"levels\" alone has one"},
-        {"method = 'implicit_penalty', budget = 100",
-         "budget is of no use: contact = \"levels\" alone has one"},
-        {"method = 'implicit_penalty', contact = 'levels', voxel = 0.01",
-         "voxel is of no use: contact levels know no voxels"},
-        {"method = 'implicit_penalty', contact = 'levels', points = 1000",
-         "points is of no use: contact levels know triangles alone"}};
-    for (const auto& [fields, because] : useless) {
-        CHECK(sentence("world:hand { tool = { " + fields + " } }") ==
-              "lesson.lua:2: the tool's " + because + "; leave it out.");
-    }
-    CHECK(sentence("world:hand { tool = { model = 'orbit' } }") ==
-          "lesson.lua:2: an orbit is a thin line, seen and not felt; give the tool a shape or "
-          "another model.");
-    CHECK(sentence("world:body { name = 'o', model = 'orbit', solid = true }") ==
-          "lesson.lua:2: o is an orbit, a thin line, seen and not felt; leave out solid.");
-    CHECK(sentence("world:hand { tool = { shape = 'ball', model = 'gear' } }") ==
-          "lesson.lua:2: the tool has a shape and a model; leave out one of them.");
-    CHECK(sentence("world:hand { tool = { shape = 'capsule', length = 0.04 } }")
-              .find("a capsule is longer than twice its radius") != std::string::npos);
-    CHECK(sentence("world:hand { tool = { method = 'magic' } }")
-              .find("\"voxel_sampling\", \"implicit_penalty\" or \"god_object\"") !=
-          std::string::npos);
-    CHECK(sentence("world:hand { tool = { mass = 5 } }").find("0.005 to 1") != std::string::npos);
-    const std::string by_levels = "world:hand { tool = { method = 'implicit_penalty', ";
-    CHECK(sentence(by_levels + "contact = 'levels', detail = 0.3 } }").find("0 to 0.2") !=
-          std::string::npos);
-    CHECK(sentence(by_levels + "contact = 'levels', budget = 5000 } }").find("20 to 500") !=
-          std::string::npos);
-    CHECK(sentence(by_levels + "contact = 'guessing' } }").find("\"fields\" or \"levels\"") !=
-          std::string::npos);
 }
 
 }  // namespace

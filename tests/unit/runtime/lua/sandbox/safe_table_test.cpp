@@ -34,27 +34,6 @@ TEST_CASE("script: sort orders like the standard library, stable, with any order
         RC_ASSERT(run(text) == wanted);
     });
     CHECK(sorted);
-    CHECK(run("local t = { 'pear', 'apple', 'fig' } table.sort(t) return table.concat(t, ' ')") ==
-          "apple fig pear");
-    CHECK_THAT(run("table.sort({ 1, 'x' })"), Catch::StartsWith("test.lua:1: attempt to compare"));
-}
-
-TEST_CASE("script: the table functions do as the manual says") {
-    CHECK(run("local t = { 1, 2, 3 } table.insert(t, 2, 9) table.insert(t, 4) return "
-              "table.concat(t, ',')") == "1,9,2,3,4");
-    CHECK(run("local t = { 1, 2, 3 } local r = table.remove(t, 1) return r .. ':' .. "
-              "table.concat(t, ',') .. ':' .. table.remove(t)") == "1:2,3:3");
-    CHECK(run("return tostring(table.remove({}))") == "nil");
-    CHECK(run("local t = { 1, 2, 3, 4 } table.move(t, 1, 3, 2) return table.concat(t, ',')") ==
-          "1,1,2,3");
-    CHECK(run("local t = { 1, 2, 3, 4 } table.move(t, 2, 4, 1) return table.concat(t, ',')") ==
-          "2,3,4,4");
-    CHECK(run("local t = table.move({ 1, 2 }, 1, 2, 3, { 7, 8 }) return table.concat(t, ',')") ==
-          "7,8,1,2");
-    CHECK(run("local a, b, c = table.unpack({ 1, 2, 3 }, 2) return a .. b .. tostring(c)") ==
-          "23nil");
-    CHECK(run("local t = table.pack(1, nil, 3) return t.n .. t[1] .. t[3]") == "313");
-    CHECK(run("return table.concat({ 1, 'a', 2.5 }, '-', 2, 3)") == "a-2.5");
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// What lessons and scripts are told, for tables: "" where they load.
+#pragma once
+
+#include "runtime/lua/sandbox/plain_words.h"
+#include "tests/support/table.h"
+#include "tests/unit/runtime/lua/hosted_lesson.h"
+
+#include <string>
+
+namespace fulcrum::runtime::test {
+
+/// `with`, where "…" stands for what goes in; it alone where `with` is empty.
+inline std::string put_into(const std::string& with, const std::string& in) {
+    const std::string gap = "…";
+    const std::size_t at = with.find(gap);
+    return at == std::string::npos ? in : std::string(with).replace(at, gap.size(), in);
+}
+
+/// Loads a lesson's body, or the body of its L:start, in a lesson whose head says `says` besides.
+inline std::string told_lesson(const std::string& body, bool in_start,
+                               const std::string& says = "") {
+    HostedLesson lesson;
+    lesson.says = says;
+    return in_start ? lesson.start(body) : lesson.load(body);
+}
+
+/// The probes of the tables of api and sandbox; behind start and load may stand what goes around.
+inline TableReader told_lessons() {
+    using Text = const std::string&;
+    return {
+        {{"start", [](Text with, Text in) { return told_lesson(put_into(with, in), true); }},
+         {"start_two", [](Text, Text in) { return told_lesson(in, true, ", hands = 2"); }},
+         {"load", [](Text with, Text in) { return told_lesson(put_into(with, in), false); }},
+         {"says", [](Text, Text in) { return told_lesson("", false, in); }},
+         {"level", [](Text, Text in) { return told_lesson("", false, ", level = '" + in + "'"); }},
+         {"run", [](Text, Text in) { return run_script(in); }},
+         {"in_plain_words", [](Text, Text in) { return in_plain_words(in); }}},
+        {}};
+}
+
+}  // namespace fulcrum::runtime::test
