@@ -14,13 +14,11 @@ TEST_CASE(
     "panels: choices stand above the line to type in, none over another, each with room for its "
     "picture") {
     Font font = andika();
-    View view;
-    view.title = "Which fruit is the heaviest?";
-    view.level = 3;
-    view.level_title = "Four fruits";
+    View view = busy();
+    view.banner.clear();
+    view.input.clear();
     view.caption = "Which one is the heaviest?";
     view.feedback = "Not yet. Lift both again.";
-    view.input_visible = true;
     for (const char* said : {"The watermelon is the heaviest.", "The apple is the heaviest.",
                              "The egg is the heaviest.", "The banana is the heaviest."}) {
         view.choices.push_back({said, "apple"});
