@@ -134,6 +134,7 @@ TEST_CASE("level bytes: levels that no maker makes are refused, their checksum r
     mended.check_refused_at(8, std::int64_t{-1});            // triangles of the report
     mended.check_refused_at(kCountsAt - 10, 0, 2147483647);  // levels
     mended.check_refused_at(kCountsAt - 6, gear.made->n_pieces() + 1);
+    mended.check_refused_at(kCountsAt - 2, std::uint8_t{2});
     mended.check_refused_at(kCountsAt - 1, std::uint8_t{2});
     for (std::size_t at = kCountsAt; at < kNodesAt; at += 8) {
         for (const std::uint64_t n :
