@@ -14,7 +14,6 @@ if(FULCRUM_SANITIZE)
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")  # compiles in half the time
 endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
-option(FULCRUM_PORTABLE "build for any x86-64 processor instead of this one's level" OFF)
 
 find_program(CCACHE ccache)
 if(CCACHE)
@@ -23,7 +22,8 @@ if(CCACHE)
 endif()
 
 add_library(fulcrum_options INTERFACE)
-# No contraction of a*b+c, no fast math: the same source gives the same numbers on every machine of one level (below).
+# For any processor of the architecture; kernels for later ones are chosen while running (haptics/base/processor.h). No contraction of
+# a*b+c, no fast math: the same source gives the same numbers on every machine.
 target_compile_options(fulcrum_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
                                                  -Wshadow $<$<BOOL:${FULCRUM_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -37,17 +37,9 @@ if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 elseif(CCACHE)
   target_compile_options(fulcrum_options INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
 endif()
-if(FULCRUM_PORTABLE)
-  # What is given to others is the same bytes wherever it was built, with a compiler cache or without: no paths, nor what debuggers
-  # read, which would change the program's build id.
-  target_compile_options(fulcrum_options INTERFACE -ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -g0)
-else()
-  include(CheckCXXSourceRuns)
-  check_cxx_source_runs("int main(){return __builtin_cpu_supports(\"avx2\")&&__builtin_cpu_supports(\"fma\")&&__builtin_cpu_supports(\"bmi2\")?0:1;}" FULCRUM_CPU_HAS_V3)
-  if(FULCRUM_CPU_HAS_V3)
-    target_compile_options(fulcrum_options INTERFACE -march=x86-64-v3)
-  endif()
-endif()
+# The code is the same bytes wherever it is built, with a compiler cache, which names files from the build's folder, or without.
+file(RELATIVE_PATH to_root ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR})
+target_compile_options(fulcrum_options INTERFACE -ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -ffile-prefix-map=${to_root}=./)
 if(FULCRUM_SANITIZE)
   # The tests' own sources go without UBSan, which costs a third of their compile time: what they test has it.
   define_property(TARGET PROPERTY FULCRUM_IS_TEST INHERITED BRIEF_DOCS "a source of tests" FULL_DOCS "a source of tests")

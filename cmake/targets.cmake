@@ -30,6 +30,16 @@ function(fulcrum_library name folder)
   add_library(fulcrum::${name} ALIAS fulcrum_${name})
 endfunction()
 
+# fulcrum_shipped(TARGET): a program that the package has too, stripped; its build id is a hash of that (build_id.sh).
+function(fulcrum_shipped target)
+  set(script ${CMAKE_SOURCE_DIR}/cmake/build_id.sh)
+  string(REPEAT 0 40 room)
+  target_link_options(${target} PRIVATE -Wl,--build-id=0x${room})
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR} LINK_DEPENDS ${script})
+  add_custom_command(TARGET ${target} POST_BUILD COMMAND bash ${script} $<TARGET_FILE:${target}> ${CMAKE_STRIP} ${CMAKE_OBJCOPY}
+                     VERBATIM)
+endfunction()
+
 # fulcrum_tests(NAME folder LABEL label DEPENDS ... [PREFIX text] [BUILT_ANEW] [FLAT]): one test program from every *_test.cpp under
 # folder (FLAT: in it); each TEST_CASE is a ctest of its own, named PREFIX (NAME) and carrying the label and, of unit tests, its room's:
 # haptics/tool, whose programs are built by the target tests_haptics_tool, and with its neighbours' by tests_haptics. With

@@ -35,7 +35,7 @@ void FieldContacts::find_leaves(const FieldPlace& place, double within_m) noexce
     while (stack_.count() > 0) {
         const Node node = stack_.take_last();
         std::array<float, kWidth> slacks{};
-        find_slacks(bounds_, place, shell_->level(node.level)[node.group], slacks);
+        kernels_->find_slacks(bounds_, place, shell_->level(node.level)[node.group], slacks);
         // The last on the stack is the first to be taken: leaves come in ascending order.
         for (std::size_t back = kWidth; back-- > 0;) {
             const std::size_t i = node.level > 0 ? back : kWidth - 1 - back;

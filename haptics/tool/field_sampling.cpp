@@ -7,6 +7,10 @@
 #include <bit>
 #include <cmath>
 
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
 namespace fulcrum {
 
 namespace {
@@ -26,16 +30,18 @@ double bound_motion_m(const Pose& from, const Pose& to, double reach_m) noexcept
 
 // Which of eight times are not later than `now`, a bit each.
 unsigned find_due(const float* times, float now) noexcept {
-    using Eight = float __attribute__((vector_size(32)));
-    using EightInts = std::int32_t __attribute__((vector_size(32)));
-    Eight each{};
-    __builtin_memcpy(&each, times, sizeof each);
-    constexpr EightInts kBits{1, 2, 4, 8, 16, 32, 64, 128};
-    EightInts due = (each <= now) & kBits;
-    due |= __builtin_shufflevector(due, due, 4, 5, 6, 7, 0, 1, 2, 3);
-    due |= __builtin_shufflevector(due, due, 2, 3, 0, 1, 6, 7, 4, 5);
-    due |= __builtin_shufflevector(due, due, 1, 0, 3, 2, 5, 4, 7, 6);
-    return static_cast<unsigned>(due[0]);
+#if defined(__SSE2__)
+    const __m128 until = _mm_set1_ps(now);
+    const int low = _mm_movemask_ps(_mm_cmple_ps(_mm_loadu_ps(times), until));
+    const int high = _mm_movemask_ps(_mm_cmple_ps(_mm_loadu_ps(times + 4), until));
+    return static_cast<unsigned>(low | high << 4);
+#else
+    unsigned due = 0;
+    for (unsigned i = 0; i < ShellTree::kWidth; ++i) {
+        due |= times[i] <= now ? 1U << i : 0U;
+    }
+    return due;
+#endif
 }
 
 }  // namespace
@@ -166,7 +172,7 @@ float FieldSampler::search_group(std::size_t level, std::size_t group, unsigned 
     const bool asks = !remembers || here.hopeless_until[group] <= now_;
     std::array<float, ShellTree::kWidth> slacks{};
     if (asks) {
-        find_slacks(bounds_, place, shell_->level(level)[group], slacks);
+        kernels_->find_slacks(bounds_, place, shell_->level(level)[group], slacks);
         ++touch_.n_groups;
     }
     float least = HUGE_VALF;

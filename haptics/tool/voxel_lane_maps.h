@@ -1,55 +1,37 @@
-// What the inner loop of voxel sampling works on: eight numbers side by side, a prepared pointshell, and the two kinds of map with
-// their ways of being asked for a block of points. Private to voxel_sampling; voxel_lanes.h has the law and the sums.
+// What the loop of voxel_lanes.h works on, in the namespace FULCRUM_KERNEL: eight numbers side by side, and the two kinds of map with their
+// ways of being asked for a block of points. Included by voxel_lane_kernel.h alone, for each of its versions.
 //
 // Thread: that of the step. Cost: see voxel_lanes.h.
-#pragma once
 
-#include "haptics/voxel/voxmap.h"
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <vector>
-
-namespace fulcrum::voxel_lanes {
+// NOLINTBEGIN(misc-definitions-in-headers): each version is a set of functions of its own
+namespace fulcrum::voxel_lanes::FULCRUM_KERNEL {
+namespace {
 
 // The compilers we know lower these to whatever the processor has.
 using Floats = float __attribute__((vector_size(32)));
 using Ints = std::int32_t __attribute__((vector_size(32)));
 
-inline constexpr std::size_t kLanes = 8;
-inline constexpr std::size_t kBlock = 64;
-
-/// A pointshell in voxels, padded with points that are never in the map.
-struct Shell {
-    std::array<std::vector<float>, 3> place, normal;
-    std::size_t n_points = 0;
-
-    [[nodiscard]] std::size_t padded_size() const noexcept { return place[0].size(); }
-};
-
-/// The kinds of the voxels that eight points lie in, a byte each: that of lane l is byte l/2 of the lower half for even l, of
-/// the upper half for odd l, so that one shift of both halves, spread over all lanes, unpacks them.
+// The kinds of the voxels that eight points lie in, a byte each: that of lane l is byte l/2 of the lower half for even l, of
+// the upper half for odd l, so that one shift of both halves, spread over all lanes, unpacks them.
 using PackedKinds = std::uint64_t;
 using Kinds = std::array<PackedKinds, kBlock / kLanes>;
 
-inline constexpr std::array<int, kLanes> kKindShift{0, 32, 8, 40, 16, 48, 24, 56};
+constexpr std::array<int, kLanes> kKindShift{0, 32, 8, 40, 16, 48, 24, 56};
 
-/// A byte a voxel.
+// A byte a voxel.
 class GridMap {
   public:
-    using Cells = std::array<std::int32_t, kBlock>;  ///< places in the grid
+    using Cells = std::array<std::int32_t, kBlock>;  // places in the grid
 
     explicit GridMap(const VoxelGrid& grid) noexcept
         : cells_(grid.cells.data()), nx_(grid.frame.n_cells[0]), ny_(grid.frame.n_cells[1]) {}
-    /// Notes where the points from i on lie.
+    // Notes where the points from i on lie.
     void note(const Ints& x, const Ints& y, const Ints& z, std::size_t i,
               Cells& cells) const noexcept {
         const Ints index = (z * ny_ + y) * nx_ + x;
         std::memcpy(&cells[i], &index, sizeof index);
     }
-    /// False where all are free.
+    // False where all are free.
     [[nodiscard]] bool look_up(const Cells& cells, Kinds& kinds) const noexcept {
         PackedKinds any = 0;
         for (std::size_t group = 0; group < kinds.size(); ++group) {
@@ -64,7 +46,7 @@ class GridMap {
         return any != 0;
     }
 
-    /// Of a cell within the map.
+    // Of a cell within the map.
     [[nodiscard]] VoxelClass find_class(const VoxelFrame::Cell& cell) const noexcept {
         return cells_[(cell[2] * ny_ + cell[1]) * nx_ + cell[0]];
     }
@@ -74,11 +56,10 @@ class GridMap {
     std::int32_t nx_, ny_;
 };
 
-/// A 512-tree.
+// A 512-tree.
 class TreeMap {
   public:
-    using Cells =
-        std::array<std::array<std::int32_t, kBlock>, 4>;  ///< by axis, and the root's child
+    using Cells = std::array<std::array<std::int32_t, kBlock>, 4>;  // by axis, and the root's child
 
     explicit TreeMap(const Voxmap& map) noexcept : map_(&map) {}
     void note(const Ints& x, const Ints& y, const Ints& z, std::size_t i,
@@ -90,7 +71,7 @@ class TreeMap {
         const Ints child = (x >> shift) | (y >> shift) << 3 | (z >> shift) << 6;
         std::memcpy(&cells[3][i], &child, sizeof child);
     }
-    /// False where all are free.
+    // False where all are free.
     [[nodiscard]] bool look_up(const Cells& cells, Kinds& kinds) const noexcept {
         kinds = {};
         PackedKinds any = 0;
@@ -103,7 +84,7 @@ class TreeMap {
         return any != 0;
     }
 
-    /// Of a cell within the map.
+    // Of a cell within the map.
     [[nodiscard]] VoxelClass find_class(const VoxelFrame::Cell& cell) const noexcept {
         return map_->find_class(cell);
     }
@@ -112,4 +93,6 @@ class TreeMap {
     const Voxmap* map_;
 };
 
-}  // namespace fulcrum::voxel_lanes
+}  // namespace
+}  // namespace fulcrum::voxel_lanes::FULCRUM_KERNEL
+// NOLINTEND(misc-definitions-in-headers)

@@ -6,41 +6,6 @@
 #include <cmath>
 
 namespace fulcrum {
-namespace voxel_lanes::details {
-
-// F = (n.u/|u|) u for b = 1, and its moment. With w = u/|u|, w_T and w_O the spins of tool and object:
-//   dF = (w n^T (I - w w^T) + (n.w) I) du + u (n x w).dtheta        the second because n turns with the tool
-//   du = dv + dw_T x r + w_T x (dtheta x r) - w_O x (dx + dtheta x r)    the object's own velocity is another where the point comes
-void add_brake_slopes(const Motion& motion, const Eight& eight, Sums& sums) noexcept {
-    const auto to_vector = [](const std::array<float, 3>& a) { return Vector3(a[0], a[1], a[2]); };
-    const Vector3 velocity = to_vector(motion.velocity_T);
-    const Vector3 spin = to_vector(motion.spin_T);
-    const Vector3 object_spin = to_vector(motion.object_spin_T);
-    const Matrix3 carried = compute_skew(object_spin);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const Vector3 p(eight.p[0][lane], eight.p[1][lane], eight.p[2][lane]);
-        const Vector3 n(eight.n[0][lane], eight.n[1][lane], eight.n[2][lane]);
-        const Vector3 u = velocity + spin.cross(p);
-        const double towards = n.dot(u);
-        if (eight.kind[lane] != 3 || !(towards < 0.0) ||
-            !(u.squaredNorm() > static_cast<double>(kLeastSquare))) {
-            continue;
-        }
-        const double speed = u.norm();
-        const Vector3 w = u / speed;
-        PointForce force;
-        force.force = towards / speed * u;
-        force.by_velocity = w * (n - n.dot(w) * w).transpose() + n.dot(w) * Matrix3::Identity();
-        force.by_position = -force.by_velocity * carried;
-        Wrench of_no_interest;
-        add_point_force(p, spin + object_spin, force, of_no_interest, sums.brake_by);
-        const Vector3 by_turn = n.cross(w);
-        sums.brake_by.pose.topRightCorner<3, 3>() += u * by_turn.transpose();
-        sums.brake_by.pose.bottomRightCorner<3, 3>() += p.cross(u) * by_turn.transpose();
-    }
-}
-
-}  // namespace voxel_lanes::details
 
 namespace {
 
@@ -173,10 +138,11 @@ VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFram
     }
     const voxel_lanes::Motion motion = compute_motion(state, object);
     Sums sums;
+    const voxel_lanes::Kernels& kernels = voxel_lanes::best_kernels();
     if (grid_ != nullptr) {
-        voxel_lanes::sample<kLinear>(shell_, voxel_lanes::GridMap(*grid_), motion, sums);
+        kernels.sample_grid(shell_, *grid_, motion, kLinear, sums);
     } else {
-        voxel_lanes::sample<kLinear>(shell_, voxel_lanes::TreeMap(*map_), motion, sums);
+        kernels.sample_tree(shell_, *map_, motion, kLinear, sums);
     }
     // Springs, averaged.
     const double s = frame_.voxel_m;

@@ -1,4 +1,4 @@
-// How far eight balls of a tool may each move before a distance field could be 0 anywhere in them.
+// How far eight balls of a tool may each move before a distance field could be 0 anywhere in them: the law of FieldKernels::find_slacks.
 //
 //   slack = max(F / L, D - e) - r - margin      voxels; F at the ball's centre, L the field's slope bound, D a lower bound of the
 //                                               distance to the mesh (distance_field.h), e the field's error bound
@@ -24,9 +24,5 @@ struct SlackBounds {
     std::array<float, 3> ball_centre;  ///< of a ball that holds the mesh
     float ball_radius;
 };
-
-/// The slacks of all eight, voxels.
-void find_slacks(const SlackBounds& bounds, const FieldPlace& place, const EightBalls& balls,
-                 std::array<float, 8>& slacks) noexcept;
 
 }  // namespace fulcrum

@@ -1,68 +1,48 @@
 #include "haptics/voxel/distance_band.h"
 
+#include "haptics/base/processor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+
+#if defined(__GNUC__)
+// Vectors wider than the processor's never leave this file.
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
 
 namespace fulcrum {
 
 namespace {
 
-using Floats = float __attribute__((vector_size(32)));  // eight at once
-
 constexpr float kFarAway = 1.0e6F;  // voxels: beyond any triangle of a block
 // Height over longest edge: below, a triangle is its longest edge to within a millionth of it.
 constexpr double kSliver = 1.0e-6;
+
+}  // namespace
+
+}  // namespace fulcrum
+
+#define FULCRUM_KERNEL plain_band
+#include "haptics/voxel/distance_band_kernel.h"
+#undef FULCRUM_KERNEL
+#ifdef FULCRUM_WIDER_KERNELS
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#define FULCRUM_KERNEL avx2_band
+#include "haptics/voxel/distance_band_kernel.h"
+#undef FULCRUM_KERNEL
+#pragma GCC pop_options
+#endif
+
+namespace fulcrum {
+
+namespace {
 
 BandTriangle::Line make_line(const Vector3& slope, const Vector3& through) noexcept {
     return {{static_cast<float>(slope.x()), static_cast<float>(slope.y()),
              static_cast<float>(slope.z())},
             static_cast<float>(-slope.dot(through))};
-}
-
-// At x = 0, 1, ... 7 of the row.
-Floats evaluate(const BandTriangle::Line& line, const Floats& x, float y, float z) noexcept {
-    return line.slope[0] * x + (line.slope[1] * y + line.slope[2] * z + line.offset);
-}
-
-Floats larger_of(const Floats& a, const Floats& b) noexcept {
-    return a > b ? a : b;
-}
-Floats smaller_of(const Floats& a, const Floats& b) noexcept {
-    return a < b ? a : b;
-}
-
-Floats compute_squares(const BandTriangle& t, const Floats& x, float y, float z) noexcept {
-    const Floats zero{};
-    Floats outermost = zero - kFarAway;
-    Floats nearest_edge = zero + kFarAway * kFarAway;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Floats beyond = evaluate(t.beyond[i], x, y, z);
-        const Floats along = evaluate(t.along[i], x, y, z);
-        const Floats past = larger_of(larger_of(-along, along - t.length[i]), zero);
-        outermost = larger_of(outermost, beyond + t.not_a_face);
-        nearest_edge = smaller_of(nearest_edge, beyond * beyond + past * past);
-    }
-    const Floats height = evaluate(t.height, x, y, z);
-    return height * height + (outermost <= zero ? zero : nearest_edge);
-}
-
-void lower_row(const BandTriangle& t, const Floats& x, float y, float z, float* row) noexcept {
-    Floats squares;
-    std::memcpy(&squares, row, sizeof squares);
-    squares = smaller_of(squares, compute_squares(t, x, y, z));
-    std::memcpy(row, &squares, sizeof squares);
-}
-
-// Corners low to high along one axis that may lie within `reach` of `middle`.
-struct Span {
-    int low;
-    int high;
-};
-Span find_span(float middle, float reach) noexcept {
-    constexpr auto kLast = static_cast<float>(kBrickSide - 1);
-    return {static_cast<int>(std::ceil(std::clamp(middle - reach, 0.0F, kLast + 1.0F))),
-            static_cast<int>(std::floor(std::clamp(middle + reach, -1.0F, kLast)))};
 }
 
 }  // namespace
@@ -103,28 +83,17 @@ BandTriangle prepare_for_band(const TriangleAt& triangle) noexcept {
     return t;
 }
 
+std::array<LowerSquares, 2> all_lower_squares() noexcept {
+#ifdef FULCRUM_WIDER_KERNELS
+    return {plain_band::lower_squares, has_avx2() ? avx2_band::lower_squares : nullptr};
+#else
+    return {plain_band::lower_squares, nullptr};
+#endif
+}
+
 void lower_squares(const BandTriangle& triangle, float band, BrickDistances& squares) noexcept {
-    const Floats from_0{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F};
-    const Floats from_1 = from_0 + 1.0F;
-    const float reach = triangle.radius + band;
-    const Span zs = find_span(triangle.middle[2], reach);
-    for (int z = zs.low; z <= zs.high; ++z) {
-        const float dz = static_cast<float>(z) - triangle.middle[2];
-        const float in_layer = std::sqrt(std::max(reach * reach - dz * dz, 0.0F));
-        const Span ys = find_span(triangle.middle[1], in_layer);
-        for (int y = ys.low; y <= ys.high; ++y) {
-            const float dy = static_cast<float>(y) - triangle.middle[1];
-            const float in_row = std::sqrt(std::max(in_layer * in_layer - dy * dy, 0.0F));
-            const Span xs = find_span(triangle.middle[0], in_row);
-            float* const row = &squares[brick_corner_at(0, y, z)];
-            if (xs.low <= std::min(xs.high, 0)) {
-                lower_row(triangle, from_0, static_cast<float>(y), static_cast<float>(z), row);
-            }
-            if (xs.low <= xs.high && (xs.low > 0 || xs.high == kBrickCells)) {
-                lower_row(triangle, from_1, static_cast<float>(y), static_cast<float>(z), row + 1);
-            }
-        }
-    }
+    const auto [plain, wider] = all_lower_squares();
+    (wider != nullptr ? wider : plain)(triangle, band, squares);
 }
 
 }  // namespace fulcrum

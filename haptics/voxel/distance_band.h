@@ -52,4 +52,9 @@ struct BandTriangle {
 /// lowered as well, never below their distance.
 void lower_squares(const BandTriangle& triangle, float band, BrickDistances& squares) noexcept;
 
+using LowerSquares = void (*)(const BandTriangle&, float band, BrickDistances&) noexcept;
+/// The plain version and that for AVX2, null where the processor has none of it or the compiler could not build it; they agree to the
+/// bit, and the last is taken.
+[[nodiscard]] std::array<LowerSquares, 2> all_lower_squares() noexcept;
+
 }  // namespace fulcrum

@@ -1,8 +1,5 @@
 #include "haptics/voxel/distance_field_batch.h"
 
-#include "haptics/base/prefetch.h"
-#include "haptics/voxel/distance_field_wide.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,30 +9,8 @@
 // Vectors wider than the processor's never leave this file.
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
-#define FULCRUM_KERNEL plain_kernels
-#define FULCRUM_KERNEL_LANES 8
-#include "haptics/voxel/distance_field_kernel.h"
-#include "haptics/voxel/distance_field_slope_kernel.h"
-#undef FULCRUM_KERNEL
-#undef FULCRUM_KERNEL_LANES
 
 namespace fulcrum {
-
-namespace {
-
-constexpr FieldKernels kPlain{"8 lanes", plain_kernels::sample, plain_kernels::sum_leaves,
-                              plain_kernels::collect, plain_kernels::sum_slopes};
-
-}  // namespace
-
-std::array<const FieldKernels*, 2> all_field_kernels() noexcept {
-    return {&kPlain, find_wide_kernels()};
-}
-
-const FieldKernels& best_field_kernels() noexcept {
-    const FieldKernels* const wide = find_wide_kernels();
-    return wide == nullptr ? kPlain : *wide;
-}
 
 FieldView::FieldView(const DistanceField& field) noexcept
     : table(field.table().data()),

@@ -9,9 +9,9 @@
 // Points that lie in free bricks or outside the block read the same constant brick, so there is no branch a point.
 //
 // Places are single precision: off by at most 2.4e-7 (|A p| + |b|) voxels, 2.5e-4 in a block of 1024. Every version adds the same
-// numbers in the same order, point i in lane i mod 16, so the plain one, that for x86-64-v3 and that for AVX-512 agree to the bit.
+// numbers in the same order, point i in lane i mod 16, so the plain one, that for AVX2 and that for AVX-512 agree to the bit.
 //
-// Thread: any; no state. Cost: 2 to 4 ns a point in the cache, at x86-64-v3; AVX-512 is taken where the processor has it.
+// Thread: any; no state. Cost: 2 to 4 ns a point in the cache, by AVX2; the best is taken that the processor has.
 // Source: the gather by scalar loads instead of gather instructions: A. Fog 2024, Optimizing subroutines in assembly language,
 // section 13.6; sums as in W. McNeely, K. Puterbaugh, J. Troy 1999, section 4.
 #pragma once
@@ -94,6 +94,9 @@ struct LeafRun {
     std::size_t most_touching = 0;        ///< behind as many that touch the run ends; at least 1
 };
 
+struct EightBalls;
+struct SlackBounds;
+
 /// One version of the kernels.
 struct FieldKernels {
     std::string_view name;
@@ -110,12 +113,15 @@ struct FieldKernels {
     /// those that are deeper, which are left to the caller.
     std::uint32_t (*sum_slopes)(const FieldView&, const FieldPlace&, const ShellPoints& leaf,
                                 std::size_t n, SlopeLanes&) noexcept;
+    /// The slacks of eight balls, voxels (ball_slack.h).
+    void (*find_slacks)(const SlackBounds&, const FieldPlace&, const EightBalls&,
+                        std::array<float, 8>& slacks) noexcept;
 };
 
 /// The best that this processor has.
 [[nodiscard]] const FieldKernels& best_field_kernels() noexcept;
-/// The plain one and that for AVX-512, null where the processor has none of it.
-[[nodiscard]] std::array<const FieldKernels*, 2> all_field_kernels() noexcept;
+/// The plain one, that for AVX2 and that for AVX-512, null where the processor has none of it or the compiler could not build it.
+[[nodiscard]] std::array<const FieldKernels*, 3> all_field_kernels() noexcept;
 
 /// Force and torque about the tool's origin, and how many points touch. Divided by a stiffness: metres and square metres.
 struct ContactSums {

@@ -1,5 +1,6 @@
 #include "runtime/app/run_facts.h"
 
+#include "haptics/base/processor.h"
 #include "haptics/base/sha256.h"
 #include "haptics/device/replay/recorded_traits.h"
 #include "runtime/app/hand_device.h"
@@ -215,7 +216,7 @@ RecordHeader describe_run(const FactSources& run) {
     Facts facts(header.facts);
     facts.add("program.version", kProgramVersion);
     facts.add("program.build", program_build_id());
-    facts.add("program.processor", kProgramProcessor);
+    facts.add("program.kernels", name_kernels());
     for (const fs::path& file : run.files) {
         facts.add_file("lesson.", file, run.request.folder);
     }

@@ -337,8 +337,8 @@ printf 'eta # packs\n' >"$tree/packages-package.txt"
 printf '#!/bin/bash\nprintf "<%%s>" packed "$@"\nexit 5\n' >"$tree/packaging/package.sh" && chmod +x "$tree/packaging/package.sh"
 start package --try
 expect "package: installs what packing needs" "$called" '*install*eta*'
-expect "package: built for any processor" "$called" '*cmake --preset package*ninja -C */build/package * fulcrum_package'
-expect "package: packed, with its arguments" "$out" '<packed><*/build/package><--try>'
+expect "package: of the build that is tested" "$called" '*ninja -C */build/dev * fulcrum_package'
+expect "package: packed, with its arguments" "$out" '<packed><*/build/dev><--try>'
 expect "package: its status" "$status" 5
 
 FULCRUM_PRESET=asan start run

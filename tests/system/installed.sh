@@ -16,6 +16,20 @@ for file in etc/security/limits.d/fulcrum.conf etc/fulcrum/site.conf share/man/m
     [[ -s $prefix/$file ]] || fail "$file is missing"
 done
 
+# What is packed is stripped, and knows itself for the very program that was tested: its build id is a hash of what stripping leaves.
+for program in bin/fulcrum libexec/fulcrum/fulcrum-sphinx libexec/fulcrum/fulcrum-is-hand; do
+    cp "$build/${program##*/}" "$folder/tested"
+    strip -o "$folder/packed" "$folder/tested"
+    ids=()
+    for file in tested packed; do
+        ids+=("$(readelf -n "$folder/$file" | sed -n 's/^ *Build ID: //p')")
+    done
+    objcopy --dump-section .note.gnu.build-id="$folder/note" "$folder/packed" /dev/null
+    { head -c -20 "$folder/note" && head -c 20 /dev/zero; } >"$folder/empty"
+    objcopy --update-section .note.gnu.build-id="$folder/empty" "$folder/packed"
+    [[ ${ids[*]} == "$(sha1sum <"$folder/packed" | sed 's/^\(.\{40\}\).*/\1 \1/')" ]] || fail "$program: its build id is ${ids[0]} and, stripped, ${ids[1]}"
+done
+
 mkdir "$folder/home" && cd "$folder/home"
 export HOME=$folder/home
 unset XDG_DATA_HOME XDG_DATA_DIRS XDG_CACHE_HOME DISPLAY WAYLAND_DISPLAY

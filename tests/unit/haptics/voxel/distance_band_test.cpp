@@ -11,11 +11,25 @@ namespace {
 constexpr float kBand = 3.0F;
 constexpr double kSingle = 2.0e-5;  // voxels: single precision in a brick
 
+// By every version, which agree to the bit.
+BrickDistances lower_all(const TriangleAt& t) {
+    BrickDistances lowered;
+    lowered.fill(kBand * kBand);
+    lower_squares(prepare_for_band(t), kBand, lowered);
+    for (const LowerSquares lower : all_lower_squares()) {
+        if (lower != nullptr) {
+            BrickDistances squares;
+            squares.fill(kBand * kBand);
+            lower(prepare_for_band(t), kBand, squares);
+            REQUIRE(squares == lowered);
+        }
+    }
+    return lowered;
+}
+
 // The largest error among corners within the band; corners beyond it must not be below their distance.
 double find_worst(const TriangleAt& t) {
-    BrickDistances squares;
-    squares.fill(kBand * kBand);
-    lower_squares(prepare_for_band(t), kBand, squares);
+    const BrickDistances squares = lower_all(t);
     double worst = 0.0;
     for (int z = 0; z < kBrickSide; ++z) {
         for (int y = 0; y < kBrickSide; ++y) {
@@ -61,9 +75,7 @@ TEST_CASE("distance band: slivers and triangles without area are their longest e
 
 TEST_CASE("distance band: a triangle beyond the band changes nothing") {
     const TriangleAt t{{20.0, 20.0, 20.0}, {21.0, 20.0, 20.0}, {20.0, 21.0, 20.0}};
-    BrickDistances squares;
-    squares.fill(kBand * kBand);
-    lower_squares(prepare_for_band(t), kBand, squares);
+    const BrickDistances squares = lower_all(t);
     CHECK(std::all_of(squares.begin(), squares.end(),
                       [](float square) { return square == kBand * kBand; }));
 }

@@ -1,0 +1,39 @@
+// What this processor has beyond the least of its architecture, for which everything is compiled. Kernels that gain from more are
+// compiled for that as well, each version as a set of functions of its own, and chosen while running; all give the same bits.
+//
+// Thread: any. Cost: reads what was found before main.
+#pragma once
+
+// Whether the compiler builds kernels for more than the least processor, by its target pragma.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define FULCRUM_WIDER_KERNELS 1
+#endif
+
+namespace fulcrum {
+
+/// Eight numbers of single precision at once. False where the compiler could not use it.
+[[nodiscard]] inline bool has_avx2() noexcept {
+#ifdef FULCRUM_WIDER_KERNELS
+    return __builtin_cpu_supports("avx2") != 0;
+#else
+    return false;
+#endif
+}
+
+/// Sixteen, and AVX2. Likewise.
+[[nodiscard]] inline bool has_avx512() noexcept {
+#ifdef FULCRUM_WIDER_KERNELS
+    return has_avx2() && __builtin_cpu_supports("avx512f") != 0 &&
+           __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
+           __builtin_cpu_supports("avx512bw") != 0;
+#else
+    return false;
+#endif
+}
+
+/// The widest kernels that are taken, for people.
+[[nodiscard]] inline const char* name_kernels() noexcept {
+    return has_avx512() ? "AVX-512" : has_avx2() ? "AVX2" : "plain";
+}
+
+}  // namespace fulcrum
