@@ -11,3 +11,9 @@ if(TARGET fulcrum_package)
   set_tests_properties("system: what is installed below a prefix stays there and plays"
                        PROPERTIES LABELS system TIMEOUT 120 ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
 endif()
+if(TARGET fulcrum AND NOT FULCRUM_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  add_test(NAME "system: the program asks for no more than any x86-64 processor has, but in kernels that are chosen"
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/system/any_processor.sh $<TARGET_FILE:fulcrum>)
+  set_tests_properties("system: the program asks for no more than any x86-64 processor has, but in kernels that are chosen"
+                       PROPERTIES LABELS system TIMEOUT 120)
+endif()
