@@ -80,11 +80,8 @@ std::array<const FieldKernels*, 3> all_field_kernels() noexcept {
 }
 
 const FieldKernels& best_field_kernels() noexcept {
-    const FieldKernels* best = nullptr;
-    for (const FieldKernels* kernels : all_field_kernels()) {
-        best = kernels != nullptr ? kernels : best;
-    }
-    return *best;
+    const auto [plain, avx2, avx512] = all_field_kernels();
+    return avx512 != nullptr ? *avx512 : avx2 != nullptr ? *avx2 : *plain;
 }
 
 }  // namespace fulcrum
