@@ -7,14 +7,22 @@ cd "${1:-$(dirname -- "$0")/../..}"
 
 exceptions=tests/checks/untested.txt
 bad=0
+declare -A test_of excepted
+while read -r file; do
+    name=${file##*/}
+    name=${name%_test.cpp}
+    test_of[${name%_table.txt}]=$file
+done < <(find tests/unit -name '*_test.cpp' -o -name '*_table.txt')
+while read -r source _; do
+    excepted[${source:-#}]=yes
+done <"$exceptions"
 while read -r source; do
-    has_test=$(find tests/unit \( -name "$(basename "$source" .cpp)_test.cpp" \
-        -o -name "$(basename "$source" .cpp)_table.txt" \) -print -quit)
-    excepted=$(awk -v source="$source" '$1 == source' "$exceptions")
-    if [[ -z $has_test && -z $excepted ]]; then
+    name=${source##*/}
+    has_test=${test_of[${name%.cpp}]:-}
+    if [[ -z $has_test && -z ${excepted[$source]:-} ]]; then
         echo "$source: no test of this name under tests/unit"
         bad=1
-    elif [[ -n $has_test && -n $excepted ]]; then
+    elif [[ -n $has_test && -n ${excepted[$source]:-} ]]; then
         echo "$exceptions: $source has its test $has_test"
         bad=1
     fi

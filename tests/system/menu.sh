@@ -31,8 +31,14 @@ leaves() { xdotool key Escape && sleep 0.3 && ended; }
 # Leaving a lesson takes a moment, in which a click means nothing: the hand clicks again.
 plays() { "${@:2}" && said "playing $1"; }
 
-# From whatever card is chosen to the second one.
-start_second() { xdotool key Left Left Left sleep 0.5 key Right Return; }
+# From whatever card is chosen to the second one; another one that a late key started is left again.
+start_second() {
+    local n_played n_before
+    n_before=$(grep -c '^playing' "$folder/said")
+    xdotool key Left Left Left sleep 0.5 key Right sleep 0.5 key Return sleep 0.5
+    n_played=$(grep -c '^playing' "$folder/said")
+    if ((n_played > n_before)) && ! said "playing three"; then leave_lesson; fi
+}
 
 # A place of its own, with four lessons that say who they are.
 mkdir -p "$folder/assets" "$folder/scripts"

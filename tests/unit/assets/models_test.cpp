@@ -69,7 +69,7 @@ const std::array<Maker, 39> kMakers{{{"watermelon", make_watermelon, {0.20, 0.16
                                      {"gem", make_gem, {0.038, 0.060, 0.044}},
                                      {"handles", make_handles, {0.48, 0.1, 0.48}}}};
 
-/// Painting takes a while: each model is made once.
+/// Each model is made once.
 const Model& made(const Maker& maker) {
     static std::map<std::string, Model> models;
     const auto found = models.find(maker.name);
@@ -119,26 +119,58 @@ TEST_CASE("models: the reference of lessons names every one, and no other") {
                      runtime::kModelNames.end()));
 }
 
-TEST_CASE(
-    "assets: every model passes the loader, under its name, in its size, not too heavy to draw") {
-    std::size_t total = 0;
-    for (const Maker& maker : kMakers) {
-        CAPTURE(maker.name);
-        const Model& model = made(maker);
-        CHECK(model.name == maker.name);
-        const auto loaded = load(model);
-        CHECK(loaded.images.size() == model.pictures.size());
-        const auto mesh = runtime::collision_from_model(loaded, model.name);
-        REQUIRE(mesh.has_value());
-        const Vector3 size_m = mesh->upper_B() - mesh->lower_B();
-        // 3 %: the table above is rounded.
-        CHECK((size_m - maker.size_m).cwiseAbs().maxCoeff() < 0.03 * maker.size_m.maxCoeff());
-        CHECK(triangles_of(model) <= 16'000);
-        total += triangles_of(model);
+// In one case, since making them takes a while.
+TEST_CASE("assets: every model is what lessons say, can be loaded, and is drawn rightly") {
+    SECTION("it passes the loader, under its name, in its size, not too heavy to draw") {
+        std::size_t total = 0;
+        for (const Maker& maker : kMakers) {
+            CAPTURE(maker.name);
+            const Model& model = made(maker);
+            CHECK(model.name == maker.name);
+            const auto loaded = load(model);
+            CHECK(loaded.images.size() == model.pictures.size());
+            const auto mesh = runtime::collision_from_model(loaded, model.name);
+            REQUIRE(mesh.has_value());
+            const Vector3 size_m = mesh->upper_B() - mesh->lower_B();
+            // 3 %: the table above is rounded.
+            CHECK((size_m - maker.size_m).cwiseAbs().maxCoeff() < 0.03 * maker.size_m.maxCoeff());
+            CHECK(triangles_of(model) <= 16'000);
+            total += triangles_of(model);
+        }
+        // Fruit, bucket and a scenery of a tree, a hill and two clouds stay below 100 000 triangles together, and a lesson's things
+        // below 50 000; the Sun and its planets below 60 000.
+        CHECK(total < 260'000);
     }
-    // Fruit, bucket and a scenery of a tree, a hill and two clouds stay below 100 000 triangles together, and a lesson's things
-    // below 50 000; the Sun and its planets below 60 000.
-    CHECK(total < 260'000);
+    SECTION("normals are of unit length and agree with their triangles") {
+        for (const Maker& maker : kMakers) {
+            CAPTURE(maker.name);
+            const auto loaded = load(made(maker));
+            for (const auto& p : loaded.primitives) {
+                double against = 0.0;
+                double all = 0.0;
+                for (std::size_t i = 0; i < p.indices.size(); i += 3) {
+                    const Vector3 a = corner(p, p.positions, i);
+                    const Vector3 across = (corner(p, p.positions, i + 1) - a)
+                                               .cross(corner(p, p.positions, i + 2) - a);
+                    const Vector3 mean = corner(p, p.normals, i) + corner(p, p.normals, i + 1) +
+                                         corner(p, p.normals, i + 2);
+                    REQUIRE(corner(p, p.normals, i).norm() == Approx(1.0).epsilon(1e-5));
+                    all += across.norm();
+                    against += across.dot(mean) < 0.0 ? across.norm() : 0.0;
+                }
+                // At a leaf's sharp tip both sides share their corners: a crumb of the area.
+                CHECK(against <= 0.002 * all);
+            }
+        }
+    }
+    SECTION("the ghost can be seen through, everything else cannot") {
+        for (const Maker& maker : kMakers) {
+            CAPTURE(maker.name);
+            for (const auto& p : load(made(maker)).primitives) {
+                CHECK((p.base_colour[3] < 1.0F) == (std::string(maker.name) == "ghost"));
+            }
+        }
+    }
 }
 
 TEST_CASE("assets: the same model is the same file every time") {
@@ -207,29 +239,6 @@ TEST_CASE("assets: an egg is pointed above and blunt below") {
     CHECK(widest_y_m > 0.5 * (top_m + bottom_m) - 0.006);
 }
 
-TEST_CASE("assets: normals are of unit length and agree with their triangles") {
-    for (const Maker& maker : kMakers) {
-        CAPTURE(maker.name);
-        const auto loaded = load(made(maker));
-        for (const auto& p : loaded.primitives) {
-            double against = 0.0;
-            double all = 0.0;
-            for (std::size_t i = 0; i < p.indices.size(); i += 3) {
-                const Vector3 a = corner(p, p.positions, i);
-                const Vector3 across =
-                    (corner(p, p.positions, i + 1) - a).cross(corner(p, p.positions, i + 2) - a);
-                const Vector3 mean = corner(p, p.normals, i) + corner(p, p.normals, i + 1) +
-                                     corner(p, p.normals, i + 2);
-                REQUIRE(corner(p, p.normals, i).norm() == Approx(1.0).epsilon(1e-5));
-                all += across.norm();
-                against += across.dot(mean) < 0.0 ? across.norm() : 0.0;
-            }
-            // At a leaf's sharp tip both sides share their corners: a crumb of the area.
-            CHECK(against <= 0.002 * all);
-        }
-    }
-}
-
 TEST_CASE(
     "assets: the bucket is open upwards, as wide and deep as lessons say, and a melon fits in") {
     const auto loaded = load(make_bucket());
@@ -262,15 +271,6 @@ TEST_CASE(
         melon_m = std::max(melon_m, std::hypot(p.x(), p.z()));
     }
     CHECK(melon_m < rim_m);
-}
-
-TEST_CASE("assets: the ghost can be seen through, everything else cannot") {
-    for (const Maker& maker : kMakers) {
-        CAPTURE(maker.name);
-        for (const auto& p : load(made(maker)).primitives) {
-            CHECK((p.base_colour[3] < 1.0F) == (std::string(maker.name) == "ghost"));
-        }
-    }
 }
 
 TEST_CASE("assets: colours tell the fruit apart, by brightness too") {

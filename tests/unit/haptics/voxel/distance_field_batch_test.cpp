@@ -2,7 +2,6 @@
 #include "haptics/voxel/distance_field_batch.h"
 
 #include "haptics/tool/slope_sum.h"
-#include "haptics/voxel/distance_field_wide.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
