@@ -376,10 +376,3 @@ TEST_CASE("distance field slopes: what does not touch adds nothing, and added la
         CHECK(again == once);
     }
 }
-
-TEST_CASE("distance field wide: taken where the processor has it, and the plain one elsewhere") {
-    const FieldKernels* const wide = find_wide_kernels();
-    CHECK(all_field_kernels()[0] != nullptr);
-    CHECK(all_field_kernels()[1] == wide);
-    CHECK(&best_field_kernels() == (wide != nullptr ? wide : all_field_kernels()[0]));
-}
