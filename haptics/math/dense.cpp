@@ -1,5 +1,6 @@
 #include "haptics/math/dense.h"
 
+#include "haptics/math/plain_eigen.h"
 #include "haptics/math/to_eigen.h"
 
 #include <Eigen/Cholesky>

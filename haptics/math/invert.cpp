@@ -1,5 +1,6 @@
 // The half of dense.h that only loads: it allocates.
 #include "haptics/math/dense.h"
+#include "haptics/math/plain_eigen.h"
 
 #include <Eigen/LU>
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "haptics/math/matrix.h"
+#include "haptics/math/plain_eigen.h"
 
 #include <Eigen/Core>
 

@@ -5,6 +5,7 @@
 // no hand of a wide set is unstable inside it. The boundary is also needed, by the worst hand: for B <= 0 a heavy free
 // mass comes as near to it as it is heavy, and with any delay; for B > 0 a hand that resonates at the Nyquist frequency
 // and its odd multiples, as near as it has resonances. One given hand is stable beyond it.
+#include "haptics/math/plain_eigen.h"
 #include "tests/support/linear_wall.h"
 #include "tests/support/wall_trial.h"
 

@@ -4,6 +4,7 @@
 
 #include "haptics/coupling/tool_coupling.h"
 #include "haptics/dynamics/loads.h"
+#include "haptics/math/plain_eigen.h"
 
 #include <Eigen/Core>
 #include <algorithm>

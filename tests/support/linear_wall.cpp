@@ -1,5 +1,7 @@
 #include "tests/support/linear_wall.h"
 
+#include "haptics/math/plain_eigen.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>

@@ -6,6 +6,8 @@
 // 30; the same rounds as C. Lawson, R. Hanson 1974, Solving least squares problems, chapter 23 (NNLS).
 #pragma once
 
+#include "haptics/math/plain_eigen.h"
+
 #include <Eigen/Dense>
 #include <cstddef>
 #include <vector>

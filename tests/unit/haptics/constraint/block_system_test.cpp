@@ -3,6 +3,7 @@
 
 #include "haptics/constraint/incremental_ldlt.h"
 #include "haptics/constraint/pair_blocks.h"
+#include "haptics/math/plain_eigen.h"
 #include "haptics/math/to_eigen.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/wander.h"

@@ -1,5 +1,6 @@
 // Laws that hold for every contact problem, whoever solves it. See contact_solver.h.
 #include "haptics/constraint/contact_solver.h"
+#include "haptics/math/plain_eigen.h"
 #include "haptics/math/to_eigen.h"
 #include "tests/support/contact_scenes.h"
 

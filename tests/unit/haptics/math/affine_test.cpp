@@ -1,5 +1,6 @@
 #include "haptics/math/affine.h"
 
+#include "haptics/math/plain_eigen.h"
 #include "haptics/math/to_eigen.h"
 #include "tests/support/wander.h"
 

@@ -1,5 +1,6 @@
 #include "haptics/math/matrix.h"
 
+#include "haptics/math/plain_eigen.h"
 #include "haptics/math/to_eigen.h"
 #include "tests/support/bad_numbers.h"
 #include "tests/support/wander.h"

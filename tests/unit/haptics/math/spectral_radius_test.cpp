@@ -1,5 +1,6 @@
 #include "haptics/math/spectral_radius.h"
 
+#include "haptics/math/plain_eigen.h"
 #include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>

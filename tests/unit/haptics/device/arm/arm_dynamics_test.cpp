@@ -1,5 +1,6 @@
 #include "haptics/device/arm/arm_dynamics.h"
 
+#include "haptics/math/plain_eigen.h"
 #include "haptics/math/rotation.h"
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
 #include "tests/unit/haptics/device/arm/articulated_body.h"

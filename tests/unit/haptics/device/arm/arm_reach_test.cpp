@@ -1,5 +1,6 @@
 #include "haptics/device/arm/arm_reach.h"
 
+#include "haptics/math/plain_eigen.h"
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
 #include "tests/unit/haptics/device/arm/dense_joints.h"
 

@@ -1,6 +1,7 @@
 #include "haptics/device/arm/barrett_wam.h"
 
 #include "haptics/math/dense.h"
+#include "haptics/math/plain_eigen.h"
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
 #include "tests/unit/haptics/device/arm/dense_joints.h"
 

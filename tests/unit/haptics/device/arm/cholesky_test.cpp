@@ -1,6 +1,7 @@
 #include "haptics/device/arm/cholesky.h"
 
 #include "haptics/device/arm/arm_posture.h"
+#include "haptics/math/plain_eigen.h"
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
 #include "tests/unit/haptics/device/arm/dense_joints.h"
 
