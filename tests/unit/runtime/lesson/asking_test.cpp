@@ -1,11 +1,6 @@
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -34,16 +29,14 @@ TEST_CASE("asking: between questions what is asked is answered by the lesson") {
     Play play(knowing("the {thing} is the <superlative:heavy>"));
     play.frame();
     play.reply();
-    const auto* asked = find<AskedEvent>(play.hear("What colour is the apple?"));
-    REQUIRE(asked != nullptr);
-    CHECK(asked->knowledge == "colour");
+    const auto asked = Play::told<AskedEvent>(play.hear("What colour is the apple?"));
+    CHECK(asked.knowledge == "colour");
     CHECK(told(play) == "It is red.");
 }
 
 TEST_CASE("asking: a question that is open comes first") {
     Play play(knowing("the {thing} is the <superlative:heavy>"));
-    play.frame();
-    play.reply({AskCommand{"heaviest"}});
+    play.ask();
     const LessonFrame& frame = play.hear("What colour is the apple?");
     CHECK(find<AskedEvent>(frame) == nullptr);
     CHECK(find<AnsweredEvent>(frame) == nullptr);
@@ -52,17 +45,14 @@ TEST_CASE("asking: a question that is open comes first") {
     CHECK(play.store.data.attempts.empty());
 }
 
-TEST_CASE(
-    "asking: what nobody knows while a question is open is told so, and however often it is asked "
-    "it closes nothing") {
+TEST_CASE("asking: what nobody knows while a question is open is told so, and closes nothing") {
     for (const bool knows : {true, false}) {
         LessonDescription lesson = knowing("the {thing} is the <superlative:heavy>");
         if (!knows) {
             lesson.knowledge.clear();
         }
         Play play(lesson);
-        play.frame();
-        play.reply({AskCommand{"heaviest"}});
+        play.ask();
         for (const char* asked :
              {"Can I eat it?", "why is it red", "Where do you come from?", "And is it good?",
               "Have you got a dog?", "how many are there", "tell me more"}) {
@@ -86,8 +76,7 @@ TEST_CASE(
 
 TEST_CASE("asking: who asked while a question is open is waited for anew") {
     Play play(knowing("the {thing} is the <superlative:heavy>"));
-    play.frame();
-    play.reply({AskCommand{"heaviest"}});
+    play.ask();
     const double asked_at_s = play.session->hud().question_asked_at_s;
     for (const char* asked : {"What colour is the apple?", "Can I eat it?"}) {
         play.hear(asked);
@@ -99,8 +88,7 @@ TEST_CASE("asking: who asked while a question is open is waited for anew") {
 
 TEST_CASE("asking: where the question's own answers ask, what is asked is right, and answered") {
     Play play(knowing("how heavy is the {thing}"));
-    play.frame();
-    play.reply({AskCommand{"heaviest"}});
+    play.ask();
     const LessonFrame& frame = play.hear("What colour is the apple?");
     const auto* asked = find<AskedEvent>(frame);
     const auto* answered = find<AnsweredEvent>(frame);
@@ -120,8 +108,7 @@ TEST_CASE("asking: where the question's own answers ask, what is asked is right,
 
 TEST_CASE("asking: what nobody knows is no answer, and the question stays") {
     Play play(knowing("how heavy is the {thing}"));
-    play.frame();
-    play.reply({AskCommand{"heaviest"}});
+    play.ask();
     CHECK(find<AnsweredEvent>(play.hear("Why is the apple red?")) == nullptr);
     play.reply();
     CHECK(play.session->hud().question_open);

@@ -1,9 +1,6 @@
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -69,9 +66,7 @@ TEST_CASE("commands: a force of the lesson's own carries the time of its frame")
     CHECK(output.force.linearised.force_W.y() == 1.0);
 }
 
-TEST_CASE(
-    "commands: an instruction replaces the one before; the last answer's answer stands until it is "
-    "read") {
+TEST_CASE("commands: an instruction replaces the last; a reply stands until it is read") {
     Play play;
     play.frame();
     play.say_rightly("apple is most heavy");

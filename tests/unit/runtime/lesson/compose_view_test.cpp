@@ -4,11 +4,8 @@
 #include "haptics/tool/tool_plan.h"
 #include "runtime/scene/shape_models.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -84,9 +81,7 @@ TEST_CASE("view: a held thing shows its felt and its true weight in newtons") {
     CHECK(shown.view().force.text == "2.0 N");
 }
 
-TEST_CASE(
-    "view: without a force there is no arrow; with a mouse what is held is squashed and a ghost "
-    "shows the hand") {
+TEST_CASE("view: without a force no arrow; a mouse squashes what it holds, and has a ghost") {
     Shown shown;
     CHECK_FALSE(shown.view().force.visible);
     shown.world.bodies[0].where = BodyWhere::held;

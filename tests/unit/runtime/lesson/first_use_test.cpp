@@ -3,16 +3,9 @@
 
 #include "haptics/device/arm/simulated_wam.h"
 #include "tests/support/pushed_arm.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <functional>
-#include <string>
-#include <utility>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -51,7 +44,7 @@ std::string truly(FirstUseQuestion question, const Child& child) {
     return child.answer(question);
 }
 
-FirstUse play(PushedArm& bench, bool asks, const Speaks& speaks = truly,
+FirstUse play(auto&& bench, bool asks, const Speaks& speaks = truly,
               const TriedDevice& tried = {}) {
     FirstUse trial(asks, tried);
     Child child;
@@ -106,22 +99,17 @@ TEST_CASE("first use: a good arm is found good, watched or asked about, below 1 
 }
 
 TEST_CASE("first use: reversed and exchanged motors end it, whatever the child says") {
-    PushedArm reversed(mirror_x());
-    const FirstUse against = play(reversed, true);
+    const FirstUse against = play(PushedArm(mirror_x()), true);
     CHECK(against.end() == FirstUseEnd::against);
     CHECK(against.axis() == 0);
-    CHECK(tell(against, {}).find("left and right") != std::string::npos);
+    check_says(tell(against, {}), {"left and right"});
     Matrix3 wiring = Matrix3::Zero();
     wiring(0, 0) = wiring(1, 2) = wiring(2, 1) = 1.0;
-    PushedArm exchanged(wiring);
-    CHECK(play(exchanged, false).end() == FirstUseEnd::aside);
-    PushedArm dead(Matrix3::Zero());
-    CHECK(play(dead, false).end() == FirstUseEnd::unfelt);
+    CHECK(play(PushedArm(wiring), false).end() == FirstUseEnd::aside);
+    CHECK(play(PushedArm(Matrix3::Zero()), false).end() == FirstUseEnd::unfelt);
 }
 
-TEST_CASE(
-    "first use: what an arm's friction takes up is pushed again, stronger, and never taken for "
-    "good") {
+TEST_CASE("first use: what friction takes up is pushed again, stronger, never taken for good") {
     SimulatedArmSettings heavy = arm_held_by(kPosture);
     heavy.dry_friction_N = 2.0;
     for (const bool asks : {false, true}) {
@@ -130,78 +118,69 @@ TEST_CASE(
         CHECK(good.arm->largest_N > 2.5);
         CHECK(good.arm->largest_N <= kMostPush_N);
         CHECK(good.arm->largest_step_N <= 0.15);
-        PushedArm reversed(mirror_x(), heavy);
-        CHECK(play(reversed, asks).end() == FirstUseEnd::against);
+        CHECK(play(PushedArm(mirror_x(), heavy), asks).end() == FirstUseEnd::against);
     }
     // A real one, which gives way aside of the push where its joints' friction lets it.
     const PushedArm::MakeArm make_wam = [](LatestValue<HandTarget>& target) {
         return std::unique_ptr<Device>(std::move(*SimulatedWam::create({}, target)));
     };
-    PushedArm wam(Matrix3::Identity(), make_wam);
-    CHECK(play(wam, false).end() == FirstUseEnd::good);
+    CHECK(play(PushedArm(Matrix3::Identity(), make_wam), false).end() == FirstUseEnd::good);
     for (const char* words : {"-x,y,z", "x,-y,z", "x,y,-z"}) {
-        PushedArm reversed(AxisOrder::read(words)->matrix(), make_wam);
-        CHECK(play(reversed, false).end() == FirstUseEnd::against);
+        CHECK(play(PushedArm(AxisOrder::read(words)->matrix(), make_wam), false).end() ==
+              FirstUseEnd::against);
     }
     for (const char* words : {"y,x,z", "x,z,y", "z,y,x"}) {
-        PushedArm exchanged(AxisOrder::read(words)->matrix(), make_wam);
-        const FirstUseEnd end = play(exchanged, false).end();
+        const FirstUseEnd end =
+            play(PushedArm(AxisOrder::read(words)->matrix(), make_wam), false).end();
         CHECK((end == FirstUseEnd::aside || end == FirstUseEnd::against));
     }
     // Nobody saw it move, so nobody knows.
     heavy.dry_friction_N = 4.0;
     for (const Matrix3& wiring : {Matrix3(Matrix3::Identity()), mirror_x()}) {
-        PushedArm hidden(wiring, heavy);
-        const FirstUse trial = play(hidden, false);
+        const FirstUse trial = play(PushedArm(wiring, heavy), false);
         CHECK(trial.end() == FirstUseEnd::unfelt);
         CHECK(tell(trial, {}).starts_with("the arm gives no force in this lesson: "));
     }
     // One axis of three is enough to know nothing.
-    PushedArm lame(Vector3(1.0, 1.0, 0.0).asDiagonal());
-    const FirstUse trial = play(lame, false);
+    const FirstUse trial = play(PushedArm(Vector3(1.0, 1.0, 0.0).asDiagonal()), false);
     CHECK(trial.end() == FirstUseEnd::unfelt);
-    CHECK(tell(trial, {}).find("near and away") != std::string::npos);
+    check_says(tell(trial, {}), {"near and away"});
 }
 
-TEST_CASE(
-    "first use: an arm that stands otherwise than it says is told, with the axes that mend it") {
+TEST_CASE("first use: an arm that stands otherwise than it says is told, with axes that mend it") {
     for (const char* words : {"-x,y,z", "z,y,-x", "-x,y,-z", "y,x,z", "-z,-x,y"}) {
         CAPTURE(words);
         const AxisOrder axes = *AxisOrder::read(words);
-        PushedArm bench(Matrix3::Identity(), arm_held_by(kPosture), {.axes = axes});
-        const FirstUse trial = play(bench, true);
+        const FirstUse trial =
+            play(PushedArm(Matrix3::Identity(), arm_held_by(kPosture), {.axes = axes}), true);
         REQUIRE(trial.end() == FirstUseEnd::turned);
         // Set as it was set the child's frame is the arm's own.
-        CHECK(tell(trial, axes).find("--axes x,y,z.") != std::string::npos);
+        check_says(tell(trial, axes), {"--axes x,y,z."});
         // Nobody who only watches can know.
-        PushedArm watched(Matrix3::Identity(), arm_held_by(kPosture), {.axes = axes});
-        CHECK(play(watched, false).end() == FirstUseEnd::good);
+        CHECK(play(PushedArm(Matrix3::Identity(), arm_held_by(kPosture), {.axes = axes}), false)
+                  .end() == FirstUseEnd::good);
     }
 }
 
-TEST_CASE(
-    "first use: who feels nothing twice gets no force, even of an arm that moved; once is asked "
-    "again") {
-    PushedArm dead(Matrix3::Zero());
+TEST_CASE("first use: who feels nothing twice gets no force; once is asked again") {
     const Speaks honest = [](FirstUseQuestion question, const Child& child) {
         return child.second.norm() < 0.05 ? "I feel nothing" : child.answer(question);
     };
     // Its motors give nothing, whatever is commanded.
-    const FirstUse unfelt =
-        play(dead, true, [](FirstUseQuestion, const Child&) { return "I feel nothing"; });
+    const FirstUse unfelt = play(PushedArm(Matrix3::Zero()), true,
+                                 [](FirstUseQuestion, const Child&) { return "I feel nothing"; });
     CHECK(unfelt.end() == FirstUseEnd::unfelt);
     CHECK(unfelt.axis() == 0);
-    CHECK(tell(unfelt, {}).find("were not felt, left and right") != std::string::npos);
+    check_says(tell(unfelt, {}), {"were not felt, left and right"});
     PushedArm good;
     const FirstUse numb =
         play(good, true, [](FirstUseQuestion, const Child&) { return "nothing"; });
     CHECK(numb.end() == FirstUseEnd::unfelt);
-    PushedArm other;
     int asked = 0;
     const Speaks once = [&](FirstUseQuestion question, const Child& child) {
         return ++asked == 3 ? "I feel nothing" : honest(question, child);
     };
-    CHECK(play(other, true, once).end() == FirstUseEnd::good);
+    CHECK(play(PushedArm(), true, once).end() == FirstUseEnd::good);
     CHECK(asked == 9);
     // Two pushes that are always the same are not told apart.
     PushedArm same;
@@ -213,13 +192,12 @@ TEST_CASE(
 }
 
 TEST_CASE("first use: one wrong answer is asked once more, always the same answer fits nothing") {
-    PushedArm bench;
     int asked = 0;
     const Speaks once_wrong = [&](FirstUseQuestion question, const Child& child) {
         ++asked;
         return asked == 2 ? "left" : asked == 3 ? "what?" : child.answer(question);
     };
-    CHECK(play(bench, true, once_wrong).end() == FirstUseEnd::good);
+    CHECK(play(PushedArm(), true, once_wrong).end() == FirstUseEnd::good);
     CHECK(asked == 10);  // six ways, one of them again, once not understood, twice the stronger one
     PushedArm same;
     const FirstUse bored = play(same, true, [](FirstUseQuestion, const Child&) { return "left"; });
@@ -233,8 +211,7 @@ TEST_CASE("first use: one wrong answer is asked once more, always the same answe
     CHECK(play(first, true, always_first).end() == FirstUseEnd::unsure);
 }
 
-TEST_CASE(
-    "first use: while a question is open there is no force, and an answer without one is none") {
+TEST_CASE("first use: while a question is open there is no force, and no other answer counts") {
     PushedArm bench;
     FirstUse trial(true);
     CHECK_FALSE(trial.answer("left"));
@@ -256,15 +233,13 @@ TEST_CASE("first use: a stop, or an arm that nobody holds, leaves it untried") {
     PushedArm stopped;
     stopped.arm->told = Fault::emergency_stop;
     CHECK(play(stopped, false).end() == FirstUseEnd::disturbed);
-    PushedArm loose(Matrix3::Identity(), arm_held_by({0.1, 1.0, 1.0}));
-    const FirstUse trial = play(loose, false);
+    const FirstUse trial =
+        play(PushedArm(Matrix3::Identity(), arm_held_by({0.1, 1.0, 1.0})), false);
     CHECK(trial.end() == FirstUseEnd::disturbed);
-    CHECK(tell(trial, {}).find("hold it loosely") != std::string::npos);
+    check_says(tell(trial, {}), {"hold it loosely"});
 }
 
-TEST_CASE(
-    "first use: a joystick is tried along the axes that it has, and there away is up and to me is "
-    "down") {
+TEST_CASE("first use: a joystick is tried along the axes that it has, up being away") {
     const TriedDevice stick{.is_stick = true, .pushes = {true, true, false}};
     const Matrix3 motors = Vector3(1.0, 1.0, 0.0).asDiagonal();
     int asked = 0;
@@ -276,27 +251,22 @@ TEST_CASE(
     PushedArm good(motors);
     CHECK(play(good, true, on_a_table, stick).end() == FirstUseEnd::good);
     CHECK(asked == 6);  // four ways, twice the stronger one
-    PushedArm up(motors);
-    CHECK(play(up, true, truly, stick).end() == FirstUseEnd::good);
-    PushedArm watched(motors);
-    CHECK(play(watched, false, truly, stick).end() == FirstUseEnd::good);
+    CHECK(play(PushedArm(motors), true, truly, stick).end() == FirstUseEnd::good);
+    CHECK(play(PushedArm(motors), false, truly, stick).end() == FirstUseEnd::good);
     // An arm that has lost an axis is none.
-    PushedArm lame(motors);
-    CHECK(play(lame, false).end() == FirstUseEnd::unfelt);
+    CHECK(play(PushedArm(motors), false).end() == FirstUseEnd::unfelt);
     // The wrong way, either axis.
     for (const Vector3& wrong : {Vector3(-1.0, 1.0, 0.0), Vector3(1.0, -1.0, 0.0)}) {
-        PushedArm reversed(wrong.asDiagonal());
-        const FirstUse trial = play(reversed, false, truly, stick);
+        const FirstUse trial = play(PushedArm(wrong.asDiagonal()), false, truly, stick);
         CHECK(trial.end() == FirstUseEnd::against);
         CHECK(tell(trial, {}).starts_with(
             "the stick gives no force in this lesson: the hand goes against its push"));
     }
-    PushedArm dead(Matrix3::Zero());
-    CHECK(play(dead, false, truly, stick).end() == FirstUseEnd::unfelt);
+    CHECK(play(PushedArm(Matrix3::Zero()), false, truly, stick).end() == FirstUseEnd::unfelt);
     // One with a motor along x alone is compared there.
-    PushedArm wheel(Vector3(1.0, 0.0, 0.0).asDiagonal());
-    CHECK(play(wheel, true, truly, {.is_stick = true, .pushes = {true, false, false}}).end() ==
-          FirstUseEnd::good);
+    CHECK(play(PushedArm(Vector3(1.0, 0.0, 0.0).asDiagonal()), true, truly,
+               {.is_stick = true, .pushes = {true, false, false}})
+              .end() == FirstUseEnd::good);
     CHECK(FirstUse(true, {.is_stick = true, .pushes = {false, false, false}}).end() ==
           FirstUseEnd::unfelt);
 }
@@ -304,13 +274,15 @@ TEST_CASE(
 TEST_CASE("first use: a joystick that stands turned is told, with the axes that mend it") {
     const TriedDevice stick{.is_stick = true, .pushes = {true, true, false}};
     const AxisOrder axes = *AxisOrder::read("-x,y,z");
-    PushedArm mirrored(Vector3(1.0, 1.0, 0.0).asDiagonal(), arm_held_by(kPosture), {.axes = axes});
-    const FirstUse trial = play(mirrored, true, truly, stick);
+    const FirstUse trial =
+        play(PushedArm(Vector3(1.0, 1.0, 0.0).asDiagonal(), arm_held_by(kPosture), {.axes = axes}),
+             true, truly, stick);
     REQUIRE(trial.end() == FirstUseEnd::turned);
-    CHECK(tell(trial, {}).find("--axes -x,y,z.") != std::string::npos);
-    PushedArm crossed(Vector3(1.0, 1.0, 0.0).asDiagonal(), arm_held_by(kPosture),
-                      {.axes = *AxisOrder::read("y,x,z")});
-    const FirstUse exchanged = play(crossed, true, truly, stick);
+    check_says(tell(trial, {}), {"--axes -x,y,z."});
+    const FirstUse exchanged =
+        play(PushedArm(Vector3(1.0, 1.0, 0.0).asDiagonal(), arm_held_by(kPosture),
+                       {.axes = *AxisOrder::read("y,x,z")}),
+             true, truly, stick);
     REQUIRE(exchanged.end() == FirstUseEnd::turned);
-    CHECK(tell(exchanged, {}).find("--axes y,x,z.") != std::string::npos);
+    check_says(tell(exchanged, {}), {"--axes y,x,z."});
 }

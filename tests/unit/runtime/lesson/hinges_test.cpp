@@ -1,13 +1,8 @@
 // Bodies on hinges: what the lesson is told of them, what it orders, and what is seen.
 #include "runtime/lesson/compose_view.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <limits>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {

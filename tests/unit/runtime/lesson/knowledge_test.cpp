@@ -1,16 +1,16 @@
 #include "runtime/lesson/knowledge.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-namespace fulcrum::runtime {
+using namespace fulcrum::runtime::test;
+
 namespace {
 
-dialogue::Catalogue words() {
-    const auto catalogue = dialogue::Catalogue::parse(
+const dialogue::Catalogue& words() {
+    static const auto kWords = value_of(dialogue::Catalogue::parse(
         "knowledge.recast = We say: {sentence} {answer}\nknowledge.unknown = No. Ask: {example}\n"
-        "knowledge.not_known = No.\nknowledge.first_mine = First mine.\n");
-    REQUIRE(catalogue);
-    return *catalogue;
+        "knowledge.not_known = No.\nknowledge.first_mine = First mine.\n"));
+    return kWords;
 }
 
 LessonDescription planets() {
@@ -27,26 +27,22 @@ LessonDescription planets() {
     return lesson;
 }
 
-Knowledge compiled(const LessonDescription& lesson, const dialogue::Catalogue& catalogue) {
-    auto knowledge = Knowledge::compile(lesson, catalogue);
-    REQUIRE(knowledge);
-    REQUIRE(*knowledge);
-    return std::move(**knowledge);
+Knowledge compiled(const LessonDescription& lesson = planets()) {
+    return value_of(value_of(Knowledge::compile(lesson, words())));
 }
 
+}  // namespace
+
 TEST_CASE("knowledge: words find what they ask for, with its slots") {
-    const dialogue::Catalogue catalogue = words();
-    const Knowledge knowledge = compiled(planets(), catalogue);
-    const auto moons = knowledge.find("How many moons does the Earth have?");
-    REQUIRE(moons);
-    CHECK(moons->knowledge == "moons");
-    CHECK(moons->mark.slot("planet") == "Earth");
-    CHECK(moons->mark.form_right());
+    const Knowledge knowledge = compiled();
+    const auto moons = value_of(knowledge.find("How many moons does the Earth have?"));
+    CHECK(moons.knowledge == "moons");
+    CHECK(moons.mark.slot("planet") == "Earth");
+    CHECK(moons.mark.form_right());
     CHECK(knowledge.find("how many moons has Mars got")->knowledge == "moons");
-    const auto weight = knowledge.find("how heavy is the apple");
-    REQUIRE(weight);
-    CHECK(weight->knowledge == "weight");
-    CHECK(weight->mark.slot("thing") == "apple");
+    const auto weight = value_of(knowledge.find("how heavy is the apple"));
+    CHECK(weight.knowledge == "weight");
+    CHECK(weight.mark.slot("thing") == "apple");
     CHECK(knowledge.find("how heavy is it")->mark.slots.empty());
     for (const char* nothing :
          {"", "apple", "the apple", "how many moons", "who are you", "it is heavy", "\x01\xff"}) {
@@ -56,32 +52,26 @@ TEST_CASE("knowledge: words find what they ask for, with its slots") {
 }
 
 TEST_CASE("knowledge: an error of form is said back rightly before the answer") {
-    const dialogue::Catalogue catalogue = words();
-    const Knowledge knowledge = compiled(planets(), catalogue);
-    const auto right = knowledge.find("how many moons does Mars have");
-    REQUIRE(right);
-    CHECK(knowledge.told(*right, "Two.") == "Two.");
-    CHECK(knowledge.told(*right, "") == "No.");
-    const auto wrong = knowledge.find("how many moon does Mars have");
-    REQUIRE(wrong);
-    CHECK(knowledge.told(*wrong, "Two.") == "We say: How many *moons* does Mars have? Two.");
+    const Knowledge knowledge = compiled();
+    const auto right = value_of(knowledge.find("how many moons does Mars have"));
+    CHECK(knowledge.told(right, "Two.") == "Two.");
+    CHECK(knowledge.told(right, "") == "No.");
+    const auto wrong = value_of(knowledge.find("how many moon does Mars have"));
+    CHECK(knowledge.told(wrong, "Two.") == "We say: How many *moons* does Mars have? Two.");
     // Where the meaning alone was heard nothing is put right.
-    const auto meant = knowledge.find("how many moon does Mars have", false);
-    REQUIRE(meant);
-    CHECK(meant->mark.slot("planet") == "Mars");
-    CHECK(knowledge.told(*meant, "Two.") == "Two.");
+    const auto meant = value_of(knowledge.find("how many moon does Mars have", false));
+    CHECK(meant.mark.slot("planet") == "Mars");
+    CHECK(knowledge.told(meant, "Two.") == "Two.");
     LessonDescription heavy = planets();
     heavy.knowledge = {{"heavy", {"is the {thing} <adjective:heavy>"}, {}, 3}};
-    const Knowledge asks = compiled(heavy, catalogue);
-    const auto hard = asks.find("is apple heavy");
-    REQUIRE(hard);
-    CHECK(asks.told(*hard, "Yes.") == "We say: Is *the apple* heavy? Yes.");
+    const Knowledge asks = compiled(heavy);
+    const auto hard = value_of(asks.find("is apple heavy"));
+    CHECK(asks.told(hard, "Yes.") == "We say: Is *the apple* heavy? Yes.");
     CHECK(knowledge.first_mine() == "First mine.");
 }
 
 TEST_CASE("knowledge: who asks for nothing is told another thing each time that may be asked") {
-    const dialogue::Catalogue catalogue = words();
-    Knowledge knowledge = compiled(planets(), catalogue);
+    Knowledge knowledge = compiled();
     const std::string first = knowledge.unknown();
     const std::string second = knowledge.unknown();
     CHECK(first == "No. Ask: How many moons does Mars have?");
@@ -90,18 +80,16 @@ TEST_CASE("knowledge: who asks for nothing is told another thing each time that 
 }
 
 TEST_CASE("knowledge: what is nearly a question is said rightly as one about the same") {
-    const dialogue::Catalogue catalogue = words();
     LessonDescription lesson = planets();
     lesson.knowledge[0].nearly = {"how many moons {planet} has"};
     // Both ask without a slot; each belongs to its own.
     lesson.knowledge[1].nearly = {"how heavy it is"};
     lesson.knowledge.push_back({"age", {"how old are you"}, {}, 11, {"how old you are"}});
-    const Knowledge knowledge = compiled(lesson, catalogue);
-    const auto moons = knowledge.find("how many moons Mars has");
-    REQUIRE(moons);
-    CHECK(moons->knowledge == "moons");
-    CHECK(moons->mark.slot("planet") == "Mars");
-    CHECK(knowledge.told(*moons, "Two.") == "We say: *How many moons does Mars have*? Two.");
+    const Knowledge knowledge = compiled(lesson);
+    const auto moons = value_of(knowledge.find("how many moons Mars has"));
+    CHECK(moons.knowledge == "moons");
+    CHECK(moons.mark.slot("planet") == "Mars");
+    CHECK(knowledge.told(moons, "Two.") == "We say: *How many moons does Mars have*? Two.");
     REQUIRE(knowledge.find("how heavy it is"));
     CHECK(knowledge.find("how heavy it is")->knowledge == "weight");
     REQUIRE(knowledge.find("how old you are"));
@@ -109,8 +97,7 @@ TEST_CASE("knowledge: what is nearly a question is said rightly as one about the
 }
 
 TEST_CASE("knowledge: every way to ask comes with each word of its lists, and asks for its own") {
-    const dialogue::Catalogue catalogue = words();
-    const Knowledge knowledge = compiled(planets(), catalogue);
+    const Knowledge knowledge = compiled();
     std::vector<std::string> said;
     for (const AskingSentence& sentence : knowledge.every_way()) {
         said.push_back(sentence.said);
@@ -125,11 +112,8 @@ TEST_CASE("knowledge: every way to ask comes with each word of its lists, and as
 }
 
 TEST_CASE("knowledge: a mistake is told at the line of what has it, also where it needs another") {
-    const dialogue::Catalogue catalogue = words();
     const auto refusal = [&](const LessonDescription& lesson) {
-        const auto refused = Knowledge::compile(lesson, catalogue);
-        REQUIRE_FALSE(refused);
-        return to_sentence(refused.error());
+        return refusal_of(Knowledge::compile(lesson, words()));
     };
     LessonDescription lesson = planets();
     lesson.knowledge.push_back({"last", {"what is {colour}"}, {}, 12});
@@ -155,40 +139,29 @@ TEST_CASE("knowledge: a mistake is told at the line of what has it, also where i
 }
 
 TEST_CASE("knowledge: a lesson that knows nothing has none, and mistakes are told at their line") {
-    const dialogue::Catalogue catalogue = words();
-    const auto nothing = Knowledge::compile({}, catalogue);
+    const auto nothing = Knowledge::compile({}, words());
     REQUIRE(nothing);
     CHECK_FALSE(*nothing);
     LessonDescription broken = planets();
     broken.knowledge[1].asked = {"how {heavy is it"};
-    const auto refused = Knowledge::compile(broken, catalogue);
-    REQUIRE_FALSE(refused);
-    CHECK(refused.error().where == "lesson.lua:9");
+    CHECK(error_of(Knowledge::compile(broken, words())).where == "lesson.lua:9");
     LessonDescription two_meanings = planets();
     two_meanings.knowledge[1].lists = {{"planet", {"Venus"}}};
-    const auto clash = Knowledge::compile(two_meanings, catalogue);
-    REQUIRE_FALSE(clash);
-    CHECK(clash.error().where == "lesson.lua:9");
+    CHECK(error_of(Knowledge::compile(two_meanings, words())).where == "lesson.lua:9");
 }
 
 TEST_CASE("knowledge: a rule is put in its place in every way to ask, and means one thing in all") {
-    const dialogue::Catalogue catalogue = words();
     LessonDescription lesson = planets();
     lesson.knowledge[1].asked = {"how heavy is <what>", "what does <what> weigh"};
     lesson.knowledge[1].rules = {{"what", "(it|the {thing})"}};
-    const Knowledge knowledge = compiled(lesson, catalogue);
+    const Knowledge knowledge = compiled(lesson);
     CHECK(knowledge.find("what does the apple weigh")->mark.slot("thing") == "apple");
     CHECK(knowledge.find("how heavy is it")->knowledge == "weight");
     lesson.knowledge[0].rules = {{"what", "this"}};
-    const auto clash = Knowledge::compile(lesson, catalogue);
-    REQUIRE_FALSE(clash);
-    CHECK(to_sentence(clash.error()) ==
+    CHECK(refusal_of(Knowledge::compile(lesson, words())) ==
           "lesson.lua:9: the rule \"what\" of what \"weight\" asks for has other words elsewhere; "
           "give it a name of its own.");
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime
 
 TEST_CASE("knowledge: words are put as a question by their first word or a question mark") {
     for (const char* asks : {"what is it", "Is it made of glass", "  does Mars have moons?", "How?",

@@ -1,22 +1,18 @@
 #include "runtime/lesson/learner_model.h"
 
 #include "dialogue/marking/mark.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-#include <set>
-
-namespace fulcrum::runtime {
 namespace {
 
 dialogue::Question heaviest() {
-    const auto question =
+    return value_of(
         dialogue::compile_question({"heaviest",
                                     "Which one is the heaviest?",
                                     {"[a|an|the] {thing} is the <superlative:heavy> [one]"},
-                                    {{"thing", {"watermelon", "apple", "banana", "egg"}}}});
-    REQUIRE(question);
-    return *question;
+                                    {{"thing", {"watermelon", "apple", "banana", "egg"}}}}));
 }
 
 Expected<bool> is_watermelon(const AnswerSlots& slots) {
@@ -36,9 +32,8 @@ Counts count(const LearnerRates& rates) {
     const dialogue::Question question = heaviest();
     Counts counts;
     for (int i = 0; i < 400; ++i) {
-        const auto said = model.answer(question, is_watermelon);
-        REQUIRE(said);
-        const dialogue::Mark mark = dialogue::mark_answer(question, *said);
+        const auto said = value_of(model.answer(question, is_watermelon));
+        const dialogue::Mark mark = dialogue::mark_answer(question, said);
         if (!mark.understood) {
             ++counts.unclear;
         } else if (!*is_watermelon(mark.slots)) {
@@ -49,6 +44,8 @@ Counts count(const LearnerRates& rates) {
     }
     return counts;
 }
+
+}  // namespace
 
 TEST_CASE("learner model: who makes no mistakes is always right") {
     CHECK(count({}).right == 400);
@@ -78,19 +75,12 @@ TEST_CASE("learner model: the same seed says the same, another seed something el
     CHECK(said(1) != said(2));
 }
 
-TEST_CASE(
-    "learner model: where nothing is right the learner gives up, and a lesson's error is passed "
-    "on") {
+TEST_CASE("learner model: where nothing is right it gives up; a lesson's error is passed on") {
     LearnerModel model({}, 1);
-    const auto gives_up =
-        model.answer(heaviest(), [](const AnswerSlots&) { return Expected<bool>(false); });
-    REQUIRE(gives_up);
-    CHECK(*gives_up == "I don't know");
-    const auto failed = model.answer(
-        heaviest(), [](const AnswerSlots&) -> Expected<bool> { return fail("it broke"); });
-    REQUIRE_FALSE(failed);
-    CHECK(failed.error().message == "it broke");
+    const auto gives_up = value_of(
+        model.answer(heaviest(), [](const AnswerSlots&) { return Expected<bool>(false); }));
+    CHECK(gives_up == "I don't know");
+    CHECK(error_of(model.answer(heaviest(), [](const AnswerSlots&) -> Expected<bool> {
+              return fail("it broke");
+          })).message == "it broke");
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

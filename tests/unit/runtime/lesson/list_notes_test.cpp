@@ -1,8 +1,20 @@
 #include "runtime/lesson/list_notes.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+// What is told of a word with a capital, where it stands.
+std::string note(const std::string& place, const std::string& word, const std::string& where,
+                 const std::string& small) {
+    return "lesson.lua:" + place + ": " + "\"" + word + "\" in the " + where +
+           " has a capital, so it is taken for a name, which has no article; write \"" + small +
+           "\", if it is none.";
+}
+
+}  // namespace
 
 TEST_CASE("list notes: a common noun with a capital is told once, where it stands first") {
     LessonDescription lesson;
@@ -16,16 +28,11 @@ TEST_CASE("list notes: a common noun with a capital is told once, where it stand
     known.line = 9;
     known.lists = {{"fruit", {"Apple", "Egg"}}};
     lesson.knowledge = {known};
-    CHECK(
-        list_notes(lesson) ==
-        std::vector<std::string>{
-            "lesson.lua:4: question \"which\": \"Apple\" in the list \"fruit\" has a capital, so "
-            "it is taken for a name, which has no article; write \"apple\", if it is none.",
-            "lesson.lua:4: question \"which\": \"Banana\" in the list \"fruit\" has a capital, so "
-            "it is taken for a name, which has no article; write \"banana\", if it is none.",
-            "lesson.lua:9: what the lesson knows as \"colour\": \"Egg\" in the list \"fruit\" has "
-            "a capital, so it is taken for a name, which has no article; write \"egg\", if it is "
-            "none."});
+    CHECK(list_notes(lesson) ==
+          std::vector<std::string>{
+              note("4: question \"which\"", "Apple", "list \"fruit\"", "apple"),
+              note("4: question \"which\"", "Banana", "list \"fruit\"", "banana"),
+              note("9: what the lesson knows as \"colour\"", "Egg", "list \"fruit\"", "egg")});
 }
 
 TEST_CASE("list notes: a body's noun with a capital is told at the body, and not again in a list") {
@@ -39,11 +46,8 @@ TEST_CASE("list notes: a body's noun with a capital is told at the body, and not
     QuestionDescription question;
     question.lists = {{"what", {"Stone"}}};
     lesson.questions = {question};
-    CHECK(
-        list_notes(lesson) ==
-        std::vector<std::string>{"lesson.lua:3: \"Stone\" in the noun of \"it\" has a capital, so "
-                                 "it is taken for a name, which has no article; write "
-                                 "\"stone\", if it is none."});
+    CHECK(list_notes(lesson) ==
+          std::vector<std::string>{note("3", "Stone", "noun of \"it\"", "stone")});
 }
 
 TEST_CASE("list notes: names, units and small letters are passed over") {
@@ -68,9 +72,7 @@ TEST_CASE("list notes: an adjective with a capital before a small noun begins no
     lesson.bodies[3].line = 6;
     const auto notes = list_notes(lesson);
     REQUIRE(notes.size() == 2);
-    CHECK(notes[0] ==
-          "lesson.lua:3: \"Wooden\" in the noun of \"wood\" has a capital, so it is taken for a "
-          "name, which has no article; write \"wooden\", if it is none.");
+    CHECK(notes[0] == note("3", "Wooden", "noun of \"wood\"", "wooden"));
     // What follows from them is looked at as it was meant.
     const LessonDescription meant = with_small_nouns(lesson);
     CHECK(meant.bodies[0].noun == "wooden block");

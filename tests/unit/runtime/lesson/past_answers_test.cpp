@@ -1,15 +1,11 @@
 #include "runtime/lesson/past_answers.h"
 
 #include "tests/unit/runtime/progress/diary.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-#include <algorithm>
-
-namespace fulcrum::runtime {
 namespace {
-
-using test::Diary;
 
 constexpr std::int64_t kDay_ms = 86'400'000;
 
@@ -28,6 +24,8 @@ const PastAnswers& of(const std::vector<PastAnswers>& past, const std::string& q
     REQUIRE(found != past.end());
     return *found;
 }
+
+}  // namespace
 
 TEST_CASE("past answers: a question counts as often as it was asked, and as right once each time") {
     Diary mina("Mina");
@@ -53,9 +51,7 @@ TEST_CASE("past answers: a question counts as often as it was asked, and as righ
     CHECK(past.front().question == "lightest");
 }
 
-TEST_CASE(
-    "past answers: another learner's are not there, and a clock that goes back gives no days below "
-    "0") {
+TEST_CASE("past answers: another learner's are not there; a clock that goes back gives 0 days") {
     Diary both("Mina");
     both.session("gravity").answers("heaviest", "R");
     both.learner("Tom").session("gravity").answers("heaviest", "WW");
@@ -92,12 +88,7 @@ TEST_CASE("past answers: names that no lesson can be told are left out") {
 
 TEST_CASE("past answers: a store gives them for its learner, and nothing where nothing is kept") {
     const auto nothing = make_null_store();
-    const auto learner = nothing->enrol("Mina");
-    REQUIRE(learner);
-    const auto past = read_past_answers(*nothing, *learner, 0);
-    REQUIRE(past);
-    CHECK(past->empty());
+    const auto learner = value_of(nothing->enrol("Mina"));
+    const auto past = value_of(read_past_answers(*nothing, learner, 0));
+    CHECK(past.empty());
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

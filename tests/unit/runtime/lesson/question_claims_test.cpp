@@ -2,13 +2,8 @@
 #include "runtime/lesson/question_dialogue.h"
 #include "runtime/lesson/questions.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-#include <vector>
-
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -38,8 +33,7 @@ QuestionTurn say(QuestionDialogue& dialogue, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE(
-    "question claims: there is no difference where nothing is right, and all is asked for it") {
+TEST_CASE("question claims: no difference where nothing is right, and all is asked for it") {
     QuestionDialogue dialogue{compile_questions(two_questions()).value(), words()};
     (void)dialogue.ask("heaviest", 0.0);
     const QuestionTurn turn = say(dialogue, "they weigh the same");

@@ -2,15 +2,10 @@
 
 #include "runtime/lesson/questions.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <map>
 #include <rapidcheck.h>
-#include <string>
-#include <vector>
 
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -185,8 +180,7 @@ TEST_CASE("question dialogue: whatever state another question interrupts, it can
     }
 }
 
-TEST_CASE(
-    "question dialogue: a question that was set aside counts on, one asked anew begins anew") {
+TEST_CASE("question dialogue: what was set aside counts on, what is asked anew begins anew") {
     QuestionDialogue dialogue = in_state(State::set_aside);
     (void)dialogue.ask("heaviest", 0.0);
     (void)dialogue.hear(kRight, 1.0, 0.0);
@@ -206,8 +200,7 @@ TEST_CASE("question dialogue: words heard badly are asked for again and never to
     CHECK(dialogue.state() == State::open);
 }
 
-TEST_CASE(
-    "question dialogue: a repeat that is heard badly is invited anew, and never kept as wrong") {
+TEST_CASE("question dialogue: a repeat heard badly is invited anew, and never kept as wrong") {
     const std::string said = GENERATE(kRight, kSlip, kNonsense);
     constexpr double kLater_s = 11.0;  // the invitation would soon have ended
     QuestionDialogue dialogue = in_state(State::invited);
@@ -256,9 +249,7 @@ TEST_CASE("question dialogue: words that never fit leave the question in the end
     CHECK(dialogue.state() == State::closed);
 }
 
-TEST_CASE(
-    "question dialogue: whatever the order, an open question hears its answer and each asking is "
-    "over at most once") {
+TEST_CASE("question dialogue: in any order an open question hears, and is over at most once") {
     const bool holds = rc::check([] {
         QuestionDialogue dialogue = make_dialogue();
         const std::vector<std::string> ids{"heaviest", "lightest"};

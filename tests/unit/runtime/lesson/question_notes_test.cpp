@@ -1,12 +1,8 @@
 #include "runtime/lesson/question_notes.h"
 
-#include "tests/support/scratch_folder.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -20,15 +16,30 @@ LessonDescription with_answers(std::vector<std::string> answers) {
     return lesson;
 }
 
+// The one note; fails the test where there is none, or another.
+std::string only_note(const LessonDescription& lesson, const NoteSources& sources = kSilent) {
+    const auto notes = question_notes(lesson, sources);
+    REQUIRE(notes.size() == 1);
+    return notes[0];
+}
+
+LessonDescription without_hint() {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].again.clear();
+    return lesson;
+}
+
+// Where these words lie, as a dictionary of sounds.
+constexpr const char* kSounds =
+    "the DH AH\nis IH Z\nheavy HH EH V IY\negg EH G\napple AE P AH L\nthings TH IH NG Z\n"
+    "thighs TH AY Z\n";
+
 }  // namespace
 
 TEST_CASE("question notes: a question without a hint is told with its line") {
-    LessonDescription lesson = two_things();
-    lesson.questions[0].again.clear();
-    const auto notes = question_notes(lesson, kSilent);
-    REQUIRE(notes.size() == 1);
+    LessonDescription lesson = without_hint();
     CHECK(
-        notes[0] ==
+        only_note(lesson) ==
         "lesson.lua:7: question \"heaviest\": it has no `again`, and game.ask no `hint` for it, so "
         "after a wrong answer nothing helps; give it one of them.");
     lesson.questions[0].again = "Weigh them again.";
@@ -36,18 +47,14 @@ TEST_CASE("question notes: a question without a hint is told with its line") {
 }
 
 TEST_CASE("question notes: what the review finds has the question's line") {
-    const auto notes = question_notes(
-        with_answers({"the {thing} is [very] heavy", "the {thing} is heavy"}), kSilent);
-    REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0],
-               Catch::StartsWith("lesson.lua:7: question \"heaviest\": answer 2 is never"));
-    CHECK_THAT(notes[0], Catch::EndsWith("."));
+    const std::string notes =
+        only_note(with_answers({"the {thing} is [very] heavy", "the {thing} is heavy"}));
+    CHECK_THAT(notes, Catch::StartsWith("lesson.lua:7: question \"heaviest\": answer 2 is never"));
+    CHECK_THAT(notes, Catch::EndsWith("."));
 }
 
 TEST_CASE("question notes: an answer that would be said back without its subject is told") {
-    const auto notes = question_notes(with_answers({"[it] needs a tail"}), kSilent);
-    REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0],
+    CHECK_THAT(only_note(with_answers({"[it] needs a tail"})),
                Catch::EndsWith("answer 1: \"Needs a tail.\" has no subject; let what stands "
                                "before the verb be no part that may be left out."));
     CHECK(question_notes(with_answers({"(it|the {thing}) is in the bowl", "[it is] in the bowl",
@@ -58,53 +65,43 @@ TEST_CASE("question notes: an answer that would be said back without its subject
 
 TEST_CASE("question notes: a hint that says a word twice is told") {
     const LessonDescription lesson = with_answers({"is the {thing} on the apple"});
-    const auto notes = question_notes(lesson, kSilent);
-    REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0], Catch::Contains("\", which has \"apple\" twice; give the first of"));
+    check_says(only_note(lesson), {"\", which has \"apple\" twice; give the first of"});
     CHECK(question_notes(with_answers({"the {thing} is on the {thing:other}"}), kSilent).empty());
 }
 
 TEST_CASE("question notes: of a question that is asked with a slip of the pen only that is told") {
-    LessonDescription lesson = two_things();
-    lesson.questions[0].again.clear();
+    LessonDescription lesson = without_hint();
     NoteSources sources = kSilent;
     sources.texts = {"L:question \"heaviest\" { }\ngame.ask(\"haeviest\", { hint = \"Look.\" })"};
-    const auto notes = question_notes(lesson, sources);
-    REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0], Catch::EndsWith("nothing asks it; write game.ask \"heaviest\", where "
-                                         "\"haeviest\" stands now."));
+    CHECK_THAT(only_note(lesson, sources),
+               Catch::EndsWith("nothing asks it; write game.ask \"heaviest\", where "
+                               "\"haeviest\" stands now."));
     sources.texts = {"L:question \"heaviest\" { }\ngame.ask(\"colour\", { hint = \"Look.\" })"};
     CHECK(question_notes(lesson, sources).size() == 2);
 }
 
 TEST_CASE("question notes: words that no dictionary and no rule can say are named") {
     const ScratchFolder folder;
-    folder.write("sounds", "the DH AH\nis IH Z\nheavy HH EH V IY\negg EH G\napple AE P AH L\n");
-    const std::string sounds = (folder.path() / "sounds").string();
-    const auto notes =
-        question_notes(with_answers({"the {thing} is heavy and zorbly"}), {{}, sounds});
-    REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0],
+    folder.write("sounds", kSounds);
+    const std::string sounds = folder.file("sounds");
+    const std::string notes =
+        only_note(with_answers({"the {thing} is heavy and zorbly"}), {{}, sounds});
+    CHECK_THAT(notes,
                Catch::StartsWith("lesson.lua:7: ") && Catch::Contains("nobody knows how to say"));
-    CHECK_THAT(notes[0], Catch::Contains("\"zorbly\""));
-    CHECK_THAT(notes[0], !Catch::Contains("\"egg\"") && !Catch::Contains("\"heavy\""));
+    check_says(notes, {"\"zorbly\""});
+    CHECK_THAT(notes, !Catch::Contains("\"egg\"") && !Catch::Contains("\"heavy\""));
 
     // Of a list's word not its plural as well, which only the program made.
     LessonDescription lesson = with_answers({"the {thing} is heavy", "the {odd} is heavy"});
     lesson.questions.front().lists.emplace_back("odd", std::vector<std::string>{"zzyzx"});
-    const auto of_list = question_notes(lesson, {{}, sounds});
-    REQUIRE(of_list.size() == 1);
-    CHECK_THAT(of_list[0], Catch::Contains("\"zzyzx\"") && !Catch::Contains("zzyzxes"));
+    CHECK_THAT(only_note(lesson, {{}, sounds}),
+               Catch::Contains("\"zzyzx\"") && !Catch::Contains("zzyzxes"));
 }
 
-TEST_CASE(
-    "question notes: a slip of the pen is told with the word that was meant, a foreign letter as "
-    "such") {
+TEST_CASE("question notes: a slip of the pen is told with what was meant, a foreign letter too") {
     const ScratchFolder folder;
-    folder.write("sounds",
-                 "the DH AH\nis IH Z\nheavy HH EH V IY\negg EH G\napple AE P AH L\nthings TH IH NG "
-                 "Z\nthighs TH AY Z\n");
-    const std::string sounds = (folder.path() / "sounds").string();
+    folder.write("sounds", kSounds);
+    const std::string sounds = folder.file("sounds");
     const auto noted = [&](const std::string& word) {
         std::string all;
         for (const std::string& note :
@@ -113,14 +110,11 @@ TEST_CASE(
         }
         return all;
     };
-    CHECK_THAT(
-        noted("thigns"),
-        Catch::Contains("\"thigns\" is no word that is known here; did you mean \"things\"?\n"));
-    CHECK_THAT(
-        noted("caf\xC3\xA9"),
-        Catch::Contains("\"caf\xC3\xA9\" has the letter \"\xC3\xA9\", which English has not"));
-    CHECK_THAT(noted("met\xD0\xB0l"),
-               Catch::Contains("has the letter \"\xD0\xB0\", which English has not"));
+    check_says(noted("thigns"),
+               {"\"thigns\" is no word that is known here; did you mean \"things\"?\n"});
+    check_says(noted("caf\xC3\xA9"),
+               {"\"caf\xC3\xA9\" has the letter \"\xC3\xA9\", which English has not"});
+    check_says(noted("met\xD0\xB0l"), {"has the letter \"\xD0\xB0\", which English has not"});
     CHECK_THAT(noted("zorblyq"),
                Catch::Contains("nobody knows how to say") && Catch::Contains("\"zorblyq\""));
 }
@@ -130,8 +124,7 @@ TEST_CASE("question notes: questions that do not compile have none") {
 }
 
 TEST_CASE("question notes: a hint of game.ask is as good as `again`") {
-    LessonDescription lesson = two_things();
-    lesson.questions[0].again.clear();
+    LessonDescription lesson = without_hint();
     const auto noted = [&](const std::string& text) {
         return question_notes(lesson, {{"L:question \"heaviest\" { }", text}, "/nowhere"}).size();
     };
@@ -146,12 +139,9 @@ TEST_CASE("question notes: a hint of game.ask is as good as `again`") {
 TEST_CASE("question notes: a question that nothing asks is told") {
     LessonDescription lesson = two_things();
     lesson.questions[0].again = "Weigh them again.";
-    const auto notes =
-        question_notes(lesson, {{"L:question \"heaviest\" { }\ngame.ask \"heavist\""}, "/nowhere"});
-    REQUIRE(notes.size() == 1);
-    CHECK_THAT(
-        notes[0],
-        Catch::Contains("question \"heaviest\": nothing asks it; write game.ask \"heaviest\""));
+    check_says(
+        only_note(lesson, {{"L:question \"heaviest\" { }\ngame.ask \"heavist\""}, "/nowhere"}),
+        {"question \"heaviest\": nothing asks it; write game.ask \"heaviest\""});
     CHECK(question_notes(lesson, {{"L:question 'heaviest' { }\ngame.ask 'heaviest'"}, "/nowhere"})
               .empty());
     CHECK(question_notes(
@@ -164,18 +154,15 @@ TEST_CASE("question notes: a question that nothing asks is told") {
               .empty());
 }
 
-TEST_CASE(
-    "question notes: a dictionary of sounds that is damaged is told once, and nothing else is "
-    "lost") {
+TEST_CASE("question notes: a damaged dictionary of sounds is told once, and no more is lost") {
     const ScratchFolder folder;
     folder.write("words.dict", "egg EH G\nthe DH A");
-    LessonDescription lesson = two_things();
-    lesson.questions[0].again.clear();
+    LessonDescription lesson = without_hint();
     const auto notes = question_notes(lesson, {{}, folder.file("words.dict")});
     REQUIRE(notes.size() == 2);
     CHECK(notes[0] == "the dictionary of sounds " + folder.file("words.dict") +
                           ": line 2 has \"A\", which is no sound of English; the file may be "
                           "damaged there, get it anew.");
-    CHECK_THAT(notes[1], Catch::Contains("it has no `again`"));
+    check_says(notes[1], {"it has no `again`"});
     CHECK(question_notes(lesson, {{}, folder.path().string()}).size() == 2);
 }

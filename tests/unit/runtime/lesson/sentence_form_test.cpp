@@ -1,21 +1,18 @@
 #include "runtime/lesson/sentence_form.h"
 
 #include "runtime/lesson/free_english.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-using namespace fulcrum::runtime;
-
-TEST_CASE(
-    "sentence form: what is amiss is told as the end of a sentence, what is good not at all") {
-    const auto check = open_free_english({"egg"});
-    REQUIRE(check);
-    CHECK(tell_form(*check, "The egg is heavy. Lift it!").empty());
-    CHECK(tell_form(*check, "").empty());
-    CHECK(tell_form(*check, "Lift it. It have two moon.") ==
+TEST_CASE("sentence form: what is amiss is told as a sentence's end, what is good not at all") {
+    const auto check = value_of(open_free_english({"egg"}));
+    CHECK(tell_form(check, "The egg is heavy. Lift it!").empty());
+    CHECK(tell_form(check, "").empty());
+    CHECK(tell_form(check, "Lift it. It have two moon.") ==
           "is no good English; better is \"Lift it. It has two moons.\"");
-    CHECK(tell_form(*check, "It is is heavy.") ==
+    CHECK(tell_form(check, "It is is heavy.") ==
           "has \"is\" twice; take one out, or the form of grammar that brings it");
-    CHECK(tell_form(*check, "It weighs six million million tonnes.").empty());
+    CHECK(tell_form(check, "It weighs six million million tonnes.").empty());
     CHECK(tell_form({}, "It have two moon.").empty());
 }

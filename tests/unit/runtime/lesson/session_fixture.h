@@ -3,12 +3,8 @@
 
 #include "dialogue/catalogue.h"
 #include "runtime/lesson/session.h"
-#include "runtime/progress/store.h"
-
-#include <catch2/catch.hpp>
-
-#include <memory>
-#include <string>
+#include "tests/unit/runtime/progress/test_store.h"
+#include "tests/unit/runtime/rig.h"
 
 namespace fulcrum::runtime::test {
 
@@ -51,46 +47,7 @@ inline const dialogue::Catalogue& words() {
     return catalogue;
 }
 
-/// Keeps what it is given, in memory; may be told to refuse.
-class MemoryStore final : public ProgressStore {
-  public:
-    [[nodiscard]] bool keeps() const noexcept override { return true; }
-    [[nodiscard]] Expected<Learner> enrol(std::string_view nickname) override {
-        return Learner{random_record_id(), std::string(nickname), utc_now_ms()};
-    }
-    [[nodiscard]] Expected<void> add_learner(const Learner&) override { return {}; }
-    [[nodiscard]] Expected<void> begin_session(const SessionRecord& session) override {
-        return keep([&] { data.sessions.push_back(session); });
-    }
-    [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override {
-        return keep(
-            [&] { data.sessions.back().settings.emplace_back(setting.name, setting.value); });
-    }
-    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting& setting) override {
-        return keep([&] { data.hands.push_back(setting); });
-    }
-    [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override {
-        return keep([&] { data.ends.push_back(end); });
-    }
-    [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
-        return keep([&] { data.attempts.push_back(attempt); });
-    }
-    [[nodiscard]] Expected<ProgressData> read(const ProgressFilter&) override { return data; }
-
-    ProgressData data;
-    int refusals = 0;  ///< so many of the next writes are refused
-
-  private:
-    template <class Write>
-    Expected<void> keep(const Write& write) {
-        if (refusals > 0) {
-            --refusals;
-            return fail("the disk is full");
-        }
-        write();
-        return {};
-    }
-};
+using MemoryStore = TestStore;
 
 /// The same with a second question, "lightest".
 inline LessonDescription two_questions() {
@@ -138,6 +95,27 @@ struct Play {
             reply();
         }
         return told;
+    }
+    /// Begins, and asks.
+    void ask(const std::string& question = "heaviest") {
+        frame();
+        reply({AskCommand{question}});
+    }
+    /// Hears it, and judges it; what the lesson is told of it.
+    AnsweredEvent answer(const std::string& words_said, bool right) {
+        hear(words_said);
+        reply({VerdictCommand{"heaviest", right}});
+        return told<AnsweredEvent>(frame());
+    }
+    /// The event of this kind; fails the test where there is none.
+    template <class Event>
+    static Event told(const LessonFrame& frame) {
+        for (const LessonEvent& event : frame.events) {
+            if (const auto* found = std::get_if<Event>(&event)) {
+                return *found;
+            }
+        }
+        throw std::runtime_error("the lesson was not told of it");
     }
     /// Asks, hears, and judges the answer right.
     void say_rightly(const std::string& words_said) {

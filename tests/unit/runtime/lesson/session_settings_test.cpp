@@ -1,15 +1,7 @@
 // What a lesson and who stands beside the learner say of a conversation: how many tries there are, how surely an answer must be heard.
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cstdint>
-#include <string>
-#include <vector>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -29,8 +21,7 @@ PlanOptions hearing(const std::string& text, const std::string& confidence) {
 /// Whether what is heard so surely is marked.
 bool is_marked(const LessonDescription& lesson, const PlanOptions& options) {
     Play play(lesson, options);
-    play.frame();
-    play.reply({AskCommand{"heaviest"}});
+    play.ask();
     play.session->hear_utterance(std::vector<std::int16_t>(100, 1));
     REQUIRE(find<JudgeEvent>(play.frame()) != nullptr);
     play.reply({VerdictCommand{"heaviest", true}});
@@ -49,18 +40,14 @@ TEST_CASE("session: a question is left after as many wrong answers as the lesson
     for (int i = 1; i <= tries; ++i) {
         CAPTURE(i);
         play.reply({AskCommand{"heaviest"}});
-        play.hear("the egg is the heaviest");
-        play.reply({VerdictCommand{"heaviest", false}});
-        const auto* answered = find<AnsweredEvent>(play.frame());
-        REQUIRE(answered != nullptr);
-        CHECK_FALSE(answered->right);
-        CHECK(answered->over == (i == tries));
+        const AnsweredEvent answered = play.answer("the egg is the heaviest", false);
+        CHECK_FALSE(answered.right);
+        CHECK(answered.over == (i == tries));
     }
     CHECK(play.store.data.attempts.back().feedback == "moved_on");
 }
 
-TEST_CASE(
-    "session: how surely an answer must be heard is the lesson's, else the one beside it says") {
+TEST_CASE("session: how surely an answer must be heard is the lesson's, else who starts it says") {
     const PlanOptions options = hearing("the apple is the heaviest", "0.5");
     LessonDescription lesson = two_things();
     CHECK(is_marked(lesson, options));  // 0.4 by default

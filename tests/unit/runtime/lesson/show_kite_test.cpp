@@ -4,13 +4,8 @@
 #include "haptics/flight/kite_loop.h"
 #include "runtime/scene/shape_models.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -168,8 +163,7 @@ TEST_CASE("kite: it is seen larger about its knot, with line, bridle, tail and w
     CHECK(look(lesson, hud, nullptr).bodies.size() < 3);
 }
 
-TEST_CASE(
-    "kite: its four forces are shown with their newtons where they act, when the lesson wants") {
+TEST_CASE("kite: its four forces are shown with their newtons where they act, when wanted") {
     const LessonDescription lesson = with_kite();
     KiteFrame flown = fly(20.0);
     SessionHud hud;

@@ -1,12 +1,10 @@
 #include "runtime/lesson/simulated_pupil.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <cstdio>
-#include <fstream>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -15,11 +13,9 @@ Expected<bool> anything(const AnswerSlots&) {
 }
 
 std::optional<std::string> answer(SimulatedPupil& pupil, double asked_at_s, double now_s) {
-    const auto question = fulcrum::dialogue::compile_question({"q", "Which?", {"an egg"}});
-    REQUIRE(question);
-    const auto said = pupil.answer(asked_at_s, now_s, *question, anything);
-    REQUIRE(said);
-    return *said;
+    const auto question =
+        value_of(fulcrum::dialogue::compile_question({"q", "Which?", {"an egg"}}));
+    return value_of(pupil.answer(asked_at_s, now_s, question, anything));
 }
 
 }  // namespace
@@ -42,9 +38,7 @@ TEST_CASE("simulated pupil: one who is a model never runs out of answers, and th
     }
 }
 
-TEST_CASE(
-    "simulated pupil: what is to be asked is asked in its turn, and a question that is open "
-    "waits") {
+TEST_CASE("simulated pupil: what is to be asked comes in its turn, and an open question waits") {
     SimulatedPupil pupil({"first", "?how heavy is it", "?what is this", "second"}, 1.0);
     CHECK(answer(pupil, 10.0, 11.0) == "first");
     CHECK_FALSE(answer(pupil, 12.0, 13.5));
@@ -70,7 +64,5 @@ TEST_CASE("simulated pupil: blank lines and remarks in the file are passed over"
 }
 
 TEST_CASE("simulated pupil: a missing file is one sentence with its path") {
-    const auto lines = SimulatedPupil::read_lines("no/such/file.txt");
-    REQUIRE_FALSE(lines);
-    CHECK(lines.error().where == "no/such/file.txt");
+    CHECK(error_of(SimulatedPupil::read_lines("no/such/file.txt")).where == "no/such/file.txt");
 }

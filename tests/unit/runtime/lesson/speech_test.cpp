@@ -2,11 +2,8 @@
 
 #include "runtime/lesson/questions.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -41,17 +38,15 @@ TEST_CASE("speech: a lesson without questions has nobody who listens") {
     CHECK_FALSE(speech.poll());
 }
 
-TEST_CASE(
-    "speech: typed words are heard once, and only if somebody listened when they were typed") {
+TEST_CASE("speech: typed words are heard once, and only if somebody listened then") {
     Speech speech = for_lesson(two_things());
     speech.type("too early");
     REQUIRE(speech.listen(some_templates()));
     CHECK_FALSE(speech.poll());
     speech.type("the apple");
-    const auto heard = speech.poll();
-    REQUIRE(heard);
-    CHECK(heard->text == "the apple");
-    CHECK(heard->confidence == 1.0);
+    const auto heard = value_of(speech.poll());
+    CHECK(heard.text == "the apple");
+    CHECK(heard.confidence == 1.0);
     CHECK_FALSE(speech.listening());
     CHECK_FALSE(speech.poll());
 }
@@ -71,13 +66,10 @@ TEST_CASE("speech: what was typed for one question does not answer the next") {
 
 TEST_CASE("speech: nothing to listen for is one sentence") {
     Speech speech = for_lesson(two_things());
-    const auto refused = speech.listen(nullptr);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("lesson.lua") != std::string::npos);
+    check_says(refusal_of(speech.listen(nullptr)), {"lesson.lua"});
 }
 
-TEST_CASE(
-    "speech: an instruction stands until the next one, and ends the reply to the last answer") {
+TEST_CASE("speech: an instruction stands until the next, and ends the reply to the last answer") {
     Speech speech = for_lesson(two_things());
     CHECK(speech.instruction().empty());
     speech.instruct("Which one is the heaviest?");
@@ -123,10 +115,9 @@ TEST_CASE("speech: a microphone is heard only where somebody speaks to a recogni
     PlanOptions options;
     options.live = true;
     const auto has_microphone = [&] {
-        const auto plan = compile_plan(two_things(), options, nullptr);
-        REQUIRE(plan);
-        CHECK(plan->has("speech", "microphone") == plan->microphone);
-        return plan->microphone;
+        const auto plan = value_of(compile_plan(two_things(), options, nullptr));
+        CHECK(plan.has("speech", "microphone") == plan.microphone);
+        return plan.microphone;
     };
     CHECK_FALSE(has_microphone());
     options.speech = SpeechInput::sphinx;
@@ -139,8 +130,7 @@ TEST_CASE("speech: a microphone is heard only where somebody speaks to a recogni
     options.hearing.recordings.clear();
     LessonDescription silent = two_things();
     silent.questions.clear();
-    const auto plan = compile_plan(silent, options, nullptr);
-    REQUIRE(plan);
-    CHECK_FALSE(plan->microphone);
-    CHECK_FALSE(plan->recogniser);
+    const auto plan = value_of(compile_plan(silent, options, nullptr));
+    CHECK_FALSE(plan.microphone);
+    CHECK_FALSE(plan.recogniser);
 }

@@ -1,14 +1,11 @@
 #include "runtime/lesson/tool_extent.h"
 
 #include "haptics/geometry/shape.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <numbers>
-#include <vector>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

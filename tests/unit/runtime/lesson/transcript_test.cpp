@@ -1,11 +1,8 @@
 #include "runtime/lesson/transcript.h"
 
 #include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 TEST_CASE("transcript: each thing that is said is one line with its time") {
@@ -43,19 +40,17 @@ TEST_CASE("transcript: a play tells its captions, questions, answers and levels 
     (void)play.frame();
     LessonReply reply;
     reply.commands = {LevelCommand{1, "Two"}, CaptionCommand{"Look!"}, AskCommand{"heaviest"}};
-    const auto asked = play.session->finish_frame(reply);
-    REQUIRE(asked);
-    REQUIRE(asked->said.size() == 3);
-    CHECK_THAT(asked->said[0], Catch::EndsWith("level    1: Two"));
-    CHECK_THAT(asked->said[1], Catch::EndsWith("shows    Look!"));
-    CHECK_THAT(asked->said[2], Catch::EndsWith("asks     Which one is the heaviest?"));
+    const auto asked = value_of(play.session->finish_frame(reply));
+    REQUIRE(asked.said.size() == 3);
+    CHECK_THAT(asked.said[0], Catch::EndsWith("level    1: Two"));
+    CHECK_THAT(asked.said[1], Catch::EndsWith("shows    Look!"));
+    CHECK_THAT(asked.said[2], Catch::EndsWith("asks     Which one is the heaviest?"));
 
     (void)play.hear("apple is the heaviest");
     reply.commands = {VerdictCommand{"heaviest", true}};
-    const auto answered = play.session->finish_frame(reply);
-    REQUIRE(answered);
-    REQUIRE(answered->said.size() == 2);
-    CHECK_THAT(answered->said[0],
+    const auto answered = value_of(play.session->finish_frame(reply));
+    REQUIRE(answered.said.size() == 2);
+    CHECK_THAT(answered.said[0],
                Catch::EndsWith("learner  apple is the heaviest (right; form: M:DET)"));
-    CHECK_THAT(answered->said[1], Catch::EndsWith("answers  Yes. *An apple* is the heaviest."));
+    CHECK_THAT(answered.said[1], Catch::EndsWith("answers  Yes. *An apple* is the heaviest."));
 }

@@ -1,16 +1,10 @@
 #include "runtime/lesson/why_shown.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
-#include <set>
-#include <string>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -80,8 +74,7 @@ TEST_CASE("why shown: what limit and gate take is told, what nobody notices is n
     CHECK(none.show(words()).shares[0].name == "You feel nothing now.");
 }
 
-TEST_CASE(
-    "why shown: shares follow within their time, all alike, and not where time stands still") {
+TEST_CASE("why shown: shares follow within their time, all alike, not where time stands still") {
     WhyShown why(kTwo, {}, {50.0, 0.3});
     why.look(shares_of(0.0, 0.0), state_of(0.0, 0.0), 1.0);
     why.look(shares_of(9.0, 3.0), state_of(6.0, 6.0), 1.0);  // the same moment
@@ -99,8 +92,7 @@ TEST_CASE(
     CHECK(why.show(words()).shares[0].amount == "9.0 N up");
 }
 
-TEST_CASE(
-    "why shown: the catalogue has words for each effect, none twice; a lesson's force its name") {
+TEST_CASE("why shown: the catalogue has words for each effect; a lesson's force has its name") {
     const std::vector<ForceDescription> forces{{"breeze", {}, 3}};
     const dialogue::Catalogue catalogue = words();
     std::set<std::string> seen;
