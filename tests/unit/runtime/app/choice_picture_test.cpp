@@ -1,13 +1,8 @@
 #include "runtime/app/choice_picture.h"
 
-#include "tests/support/scratch_folder.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <fstream>
-
-namespace fulcrum::runtime {
-namespace {
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("choice picture: a thing of the scene, else what is called as a model, else none") {
     const ScratchFolder models;
@@ -45,6 +40,3 @@ TEST_CASE("choice picture: a thing of the scene, else what is called as a model,
     CHECK(picture({{"thing", ""}}).empty());
     CHECK(picture({}).empty());
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

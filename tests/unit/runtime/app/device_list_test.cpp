@@ -1,14 +1,11 @@
 #include "runtime/app/device_list.h"
 
 #include "tests/support/virtual_hid.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <nlohmann/json.hpp>
-#include <string>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 using namespace fulcrum::test_support;
 
 namespace {
@@ -25,9 +22,8 @@ TEST_CASE("device list: with nothing plugged in, the mouse and the simulated han
           "mouse: 3 axes, 3 buttons, no force: it is shown and heard.  --hand mouse\n"
           "simulated hand: 6 axes, force along 6 axes.  --hand FILE.lua\n"
           "No SpaceMouse and no joystick is plugged in.\n");
-    CHECK(devices_text(list_devices({}, false))
-              .find("    there is no display; start the program "
-                    "where there is a screen.\n") != std::string::npos);
+    check_says(devices_text(list_devices({}, false)), {"    there is no display; start the program "
+                                                       "where there is a screen.\n"});
 }
 
 TEST_CASE("device list: what each can do, and how to play with it") {
@@ -35,13 +31,13 @@ TEST_CASE("device list: what each can do, and how to play with it") {
         {force_stick(), make_hid_node("/dev/hidraw3", plain_stick_descriptor(), 1, 2, ""),
          make_hid_node("/dev/hidraw4", space_mouse_descriptor(true), 0x256f, 0xc635, "SpaceMouse")},
         true));
-    CHECK(text.find("Force stick (045e:001b): 3 axes, 8 buttons, force along 2 axes.  --hand "
-                    "hid:/dev/hidraw2\n") != std::string::npos);
-    CHECK(text.find("the device 0001:0002 (0001:0002): 3 axes, 4 buttons, no force") !=
-          std::string::npos);
-    CHECK(text.find("SpaceMouse (256f:c635): 6 axes, 2 buttons, no force: it is shown and heard.  "
-                    "--hand hid:/dev/hidraw4\n") != std::string::npos);
-    CHECK(text.find("No SpaceMouse") == std::string::npos);
+    check_says(text,
+               {"Force stick (045e:001b): 3 axes, 8 buttons, force along 2 axes.  --hand "
+                "hid:/dev/hidraw2\n",
+                "the device 0001:0002 (0001:0002): 3 axes, 4 buttons, no force",
+                "SpaceMouse (256f:c635): 6 axes, 2 buttons, no force: it is shown and heard.  "
+                "--hand hid:/dev/hidraw4\n"});
+    check_lacks(text, {"No SpaceMouse"});
 }
 
 TEST_CASE("device list: without permission the line for udev and its place are told") {
@@ -69,8 +65,7 @@ TEST_CASE("device list: a keyboard is none, a broken device is told of with what
     CHECK(entries[2].name == "Broken");
     CHECK(entries[2].kind == "unknown");
     CHECK_FALSE(entries[2].usable);
-    CHECK(devices_text(entries).find("/dev/hidraw1: byte 0: the report descriptor is wrong") !=
-          std::string::npos);
+    check_says(devices_text(entries), {"/dev/hidraw1: byte 0: the report descriptor is wrong"});
 }
 
 TEST_CASE("device list: programs read the same") {
@@ -87,6 +82,5 @@ TEST_CASE("device list: programs read the same") {
     CHECK(stick["ids"] == "045e:001b");
     CHECK(stick["force_axes"] == 2);
     CHECK(stick["path"] == "/dev/hidraw2");
-    CHECK(stick["udev_rule"].get<std::string>().find("KERNELS==\"*:045E:001B.*\"") !=
-          std::string::npos);
+    check_says(stick["udev_rule"].get<std::string>(), {"KERNELS==\"*:045E:001B.*\""});
 }

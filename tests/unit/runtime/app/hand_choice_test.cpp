@@ -1,11 +1,8 @@
 #include "runtime/app/hand_choice.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <fstream>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -28,9 +25,8 @@ HandChoice moved_by(HandKind kind) {
 // What moves the second hand; none where it is not there.
 HandKind settle_second(const LessonDescription& lesson, const HandsOrder& order,
                        std::vector<HandChoice> asked = {}) {
-    const auto told = settle_hands(lesson, order, asked);
-    REQUIRE(told);
-    CHECK(told->empty());
+    const auto told = value_of(settle_hands(lesson, order, asked));
+    CHECK(told.empty());
     return asked.empty() ? HandKind::none : asked.front().hand;
 }
 
@@ -38,9 +34,8 @@ HandKind settle_second(const LessonDescription& lesson, const HandsOrder& order,
 
 TEST_CASE("hand choice: a word says what moves a hand, and is said back") {
     for (const char* word : {"mouse", "keys", "none", "udp:desk:4701", "left.lua"}) {
-        const auto choice = read_hand(word, true, "k");
-        REQUIRE(choice);
-        CHECK(name_of(*choice) == word);
+        const auto choice = value_of(read_hand(word, true, "k"));
+        CHECK(name_of(choice) == word);
     }
     CHECK(read_hand("udp:desk:4701", false, "k")->key_file == "k");
     CHECK(read_hand("keys", true, "")->hand == HandKind::keys);
@@ -93,20 +88,16 @@ TEST_CASE("hand choice: without a window a second hand is there where the test n
 TEST_CASE("hand choice: what a lesson cannot use is left alone, what it needs is asked for") {
     std::vector<HandChoice> more{moved_by(HandKind::mouse), moved_by(HandKind::none)};
     const HandsOrder order{moved_by(HandKind::link), HandsThere::desk};
-    const auto told = settle_hands(lesson_of(1), order, more);
-    REQUIRE(told);
+    const auto told = value_of(settle_hands(lesson_of(1), order, more));
     CHECK(more.empty());
-    CHECK(*told == std::vector<std::string>{
-                       "This lesson uses one hand: mouse is left alone, without force."});
+    CHECK(told == std::vector<std::string>{
+                      "This lesson uses one hand: mouse is left alone, without force."});
     more = {moved_by(HandKind::mouse), moved_by(HandKind::keys)};
-    const auto third = settle_hands(lesson_of(2), order, more);
-    REQUIRE(third);
+    const auto third = value_of(settle_hands(lesson_of(2), order, more));
     CHECK(more.size() == 1);
-    CHECK(third->at(0) == "This lesson uses two hands: keys is left alone, without force.");
+    CHECK(third.at(0) == "This lesson uses two hands: keys is left alone, without force.");
     more = {moved_by(HandKind::none)};
-    const auto refused = settle_hands(lesson_of(2, true), order, more);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()) ==
+    CHECK(refusal_of(settle_hands(lesson_of(2, true), order, more)) ==
           "lesson.lua:6: this lesson needs two hands at once, and one is there; give --hand twice, "
           "such as --hand hid --hand mouse, or two files of simulated hands.");
 }

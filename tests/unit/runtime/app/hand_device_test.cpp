@@ -1,14 +1,9 @@
 #include "runtime/app/hand_device.h"
 
 #include "haptics/record/record_writer.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cstdlib>
-#include <filesystem>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -31,54 +26,48 @@ DeviceReading play(Device& device, double seconds) {
 }  // namespace
 
 TEST_CASE("hand device: the simulated hand follows the lesson's target through the workspace") {
-    const auto hand = HandDevice::open({}, plan_with_workspace());
-    REQUIRE(hand);
-    CHECK((*hand)->device().traits().renders_force);
-    (*hand)->follow(Pose::at({1.2, 2.0, 3.0}), 1);
-    const DeviceReading reading = play((*hand)->device(), 3.0);
+    const auto hand = value_of(HandDevice::open({}, plan_with_workspace()));
+    CHECK(hand->device().traits().renders_force);
+    hand->follow(Pose::at({1.2, 2.0, 3.0}), 1);
+    const DeviceReading reading = play(hand->device(), 3.0);
     CHECK((reading.pose_D.position - Vector3(0.1, 0.0, 0.0)).norm() < 1e-4);
     CHECK(reading.buttons == 1);
     // A mouse that somebody moves meanwhile is not this hand's.
-    (*hand)->point_at({9.0, 9.0, 9.0}, 0);
-    CHECK((play((*hand)->device(), 0.5).pose_D.position - Vector3(0.1, 0.0, 0.0)).norm() < 1e-3);
+    hand->point_at({9.0, 9.0, 9.0}, 0);
+    CHECK((play(hand->device(), 0.5).pose_D.position - Vector3(0.1, 0.0, 0.0)).norm() < 1e-3);
 }
 
 TEST_CASE("hand device: the mouse points, renders no force and yields to it on the screen") {
     RunRequest request;
     request.hand = HandKind::mouse;
-    const auto hand = HandDevice::open(request, plan_with_workspace());
-    REQUIRE(hand);
-    CHECK_FALSE((*hand)->device().traits().renders_force);
-    CHECK((*hand)->pointer_W().position == Vector3(1.0, 2.0, 3.0));
-    (*hand)->point_at({1.0, 2.4, 3.0}, 2);
-    CHECK((*hand)->pointer_W().position == Vector3(1.0, 2.4, 3.0));
-    const Vector3 free_D = play((*hand)->device(), 2.0).pose_D.position;
+    const auto hand = value_of(HandDevice::open(request, plan_with_workspace()));
+    CHECK_FALSE(hand->device().traits().renders_force);
+    CHECK(hand->pointer_W().position == Vector3(1.0, 2.0, 3.0));
+    hand->point_at({1.0, 2.4, 3.0}, 2);
+    CHECK(hand->pointer_W().position == Vector3(1.0, 2.4, 3.0));
+    const Vector3 free_D = play(hand->device(), 2.0).pose_D.position;
     CHECK((free_D - Vector3(0.0, 0.2, 0.0)).norm() < 1e-4);
-    REQUIRE((*hand)->device().write(2.0, Wrench{Vector3(0.0, -5.0, 0.0), Vector3::Zero()}));
-    CHECK(play((*hand)->device(), 2.0).pose_D.position.y() < free_D.y() - 0.01);
+    REQUIRE(hand->device().write(2.0, Wrench{Vector3(0.0, -5.0, 0.0), Vector3::Zero()}));
+    CHECK(play(hand->device(), 2.0).pose_D.position.y() < free_D.y() - 0.01);
 }
 
 TEST_CASE("hand device: a record plays again, and one that is none is refused in a sentence") {
-    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_hand_XXXXXX").string();
-    REQUIRE(mkdtemp(folder.data()) != nullptr);
+    const ScratchFolder folder;
     RunRequest request;
     request.hand = HandKind::replay;
-    request.hand_file = folder + "/run.rec";
+    request.hand_file = folder.file("run.rec");
     CHECK_FALSE(HandDevice::open(request, plan_with_workspace()));
     {
-        auto writer = RecordWriter::create(request.hand_file.string(), RecordHeader{});
-        REQUIRE(writer);
+        auto writer = value_of(RecordWriter::create(request.hand_file.string(), RecordHeader{}));
         RecordRound round;
         round.sample.pose_D.position = {0.01, 0.02, 0.03};
-        REQUIRE(writer->append(round));
-        REQUIRE(writer->finish());
+        REQUIRE(writer.append(round));
+        REQUIRE(writer.finish());
     }
-    const auto hand = HandDevice::open(request, plan_with_workspace());
-    REQUIRE(hand);
+    const auto hand = value_of(HandDevice::open(request, plan_with_workspace()));
     DeviceReading reading;
-    REQUIRE((*hand)->device().read(0.0, reading));
+    REQUIRE(hand->device().read(0.0, reading));
     CHECK((reading.pose_D.position - Vector3(0.01, 0.02, 0.03)).norm() < 1e-12);
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("hand device: its limit is known before it is opened, and is what the opened one has") {

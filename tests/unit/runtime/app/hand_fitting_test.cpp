@@ -2,17 +2,9 @@
 
 #include "runtime/progress/sqlite/sqlite_store.h"
 #include "tests/support/scripted_device.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <memory>
-#include <string>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -32,8 +24,7 @@ RunRequest by_arm(const char* learner) {
 
 }  // namespace
 
-TEST_CASE(
-    "hand fitting: a small arm reaches all that the usual one does, a large one keeps the scale") {
+TEST_CASE("hand fitting: a small arm reaches what the usual one, a large one keeps its scale") {
     CHECK(choose_scale({}, arm_reaching(Vector3::Constant(0.2))) == 1.0);
     CHECK(choose_scale({}, arm_reaching({0.1, 0.2, 0.3})) == Approx(2.0));
     CHECK(choose_scale({}, arm_reaching({0.5, 0.6, 0.7})) == 1.0);
@@ -93,11 +84,9 @@ TEST_CASE("hand fitting: an arm has a clutch, and a pointer stays what it is") {
 }
 
 TEST_CASE("hand fitting: what a learner said once holds at the next run with the same device") {
-    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum-hands-XXXXXX").string();
-    REQUIRE(mkdtemp(folder.data()) != nullptr);
-    const auto opened = open_sqlite_store(folder + "/progress.db");
-    REQUIRE(opened);
-    ProgressStore& store = **opened;
+    const ScratchFolder folder;
+    const auto opened = value_of(open_sqlite_store(folder.file("progress.db")));
+    ProgressStore& store = *opened;
     RunRequest first = by_arm("Mina");
     first.fit.scale = 2.0;
     first.fit.left_handed = true;
@@ -119,7 +108,6 @@ TEST_CASE("hand fitting: what a learner said once holds at the next run with the
     keep_fit_of(simulated, store);
     CHECK(store.read({})->hands.size() == before);
     CHECK(with_kept_fit(by_arm(""), store).fit.scale == std::nullopt);
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("hand fitting: each device has a name of its own") {

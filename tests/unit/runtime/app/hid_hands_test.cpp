@@ -1,11 +1,8 @@
 #include "runtime/app/hid_hands.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cmath>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("HID hands: hid and hid:PATH ask for one, nothing else does") {
     CHECK(asks_for_hid("hid"));
@@ -16,21 +13,15 @@ TEST_CASE("HID hands: hid and hid:PATH ask for one, nothing else does") {
 }
 
 TEST_CASE("HID hands: what is not there is told") {
-    const auto nameless = choose_hid_hand("hid:");
-    REQUIRE_FALSE(nameless);
-    CHECK(to_sentence(nameless.error()) ==
+    CHECK(refusal_of(choose_hid_hand("hid:")) ==
           "--hand hid: names no device; give --hand hid, or hid: and a path that fulcrum devices "
           "lists.");
-    const auto none = choose_hid_hand("hid:/nowhere/hidraw0");
-    REQUIRE_FALSE(none);
-    CHECK(to_sentence(none.error()) ==
+    CHECK(refusal_of(choose_hid_hand("hid:/nowhere/hidraw0")) ==
           "/nowhere/hidraw0: there is no device to be opened: No such file or directory; fulcrum "
           "devices lists what is there.");
 }
 
-TEST_CASE(
-    "HID hands: at every scale of a lesson the settings are valid, and a cap reaches what the "
-    "mouse does") {
+TEST_CASE("HID hands: settings are valid at every scale, and a cap reaches what the mouse does") {
     for (double scale = 0.01; scale <= 100.0; scale *= 1.3) {
         Workspace workspace;
         workspace.scale = scale;
@@ -45,8 +36,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "HID hands: a stick's sensor is watched by what its motors do to it, a SpaceMouse's is not") {
+TEST_CASE("HID hands: a stick's sensor is watched by what its motors do, a SpaceMouse's is not") {
     const Vector3 reach_D = Vector3::Constant(0.15);
     DeviceTraits traits;
     traits.position_resolution_m = 0.0003;
@@ -64,9 +54,7 @@ TEST_CASE(
     CHECK(all_below(stick.stop_D, reach_D));
 }
 
-TEST_CASE(
-    "HID hands: a plan is held to what a stick's motors can do, and to nothing where there are "
-    "none") {
+TEST_CASE("HID hands: a plan is held to what a stick's motors can do, where there are any") {
     HidChoice choice;
     CHECK(std::isinf(force_limit_N(choice)));
     choice.has_force = true;

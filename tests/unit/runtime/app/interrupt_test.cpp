@@ -1,12 +1,12 @@
 #include "runtime/app/interrupt.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -36,8 +36,7 @@ int try_signals() {
 
 }  // namespace
 
-TEST_CASE(
-    "interrupt: the wish to end is noted; a closed pipe and a file too long are ordinary errors") {
+TEST_CASE("interrupt: the wish to end is noted; a closed pipe, a file too long are usual errors") {
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {

@@ -1,8 +1,8 @@
 #include "runtime/app/key_hand.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -51,8 +51,7 @@ TEST_CASE("key hand: each of its keys moves the pointer its way, and no other ke
     CHECK(moved("left").isZero());  // is the lesson's
 }
 
-TEST_CASE(
-    "key hand: a tap is a fine step, and what is held grows to its greatest speed and no more") {
+TEST_CASE("key hand: a tap is a fine step, and what is held grows to its greatest speed") {
     KeyHand hand;
     const KeyHandSettings settings;
     WindowEvents events = pressed("d");
@@ -82,8 +81,7 @@ TEST_CASE("key hand: the pointer stays in the picture, and rests where the key w
     CHECK(frames(hand, up, 100).pointer_x_px == 0.0);
 }
 
-TEST_CASE(
-    "key hand: while letters are typed new presses move nothing, and what was gripped stays so") {
+TEST_CASE("key hand: while letters are typed presses move nothing, and what is gripped stays so") {
     KeyHand hand;
     WindowEvents grip = pressed("shift");
     hand.take(grip, false, kSize, kFrame_s);
@@ -94,9 +92,7 @@ TEST_CASE(
     CHECK(letters.button_down[0]);
 }
 
-TEST_CASE(
-    "key hand: page up and down turn the wheel, the mouse takes the pointer back, and a lost "
-    "window lets go") {
+TEST_CASE("key hand: page keys turn the wheel, the mouse takes over, a lost window lets go") {
     KeyHand hand;
     WindowEvents wheel = pressed("page_up");
     wheel.pressed.push_back({.key = "page_up", .repeat = true});

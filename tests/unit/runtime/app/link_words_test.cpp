@@ -7,18 +7,13 @@
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"
 #include "tests/support/scripted_device.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
-#include <memory>
 #include <thread>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -30,21 +25,14 @@ LinkStatus came(Refusal why) {
 std::string why(const LinkStatus& status, bool is_refused = false) {
     return to_sentence(explain_silence(status, is_refused, "arm:4701", "keys/arm.key"));
 }
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 // A folder with keys, that is gone afterwards.
 struct Keys {
-    Keys() { REQUIRE(mkdtemp(folder.data()) != nullptr); }
-    ~Keys() { std::filesystem::remove_all(folder); }
-    [[nodiscard]] std::string file(const std::string& name) const { return folder + "/" + name; }
+    [[nodiscard]] std::string file(const std::string& name) const { return folder.file(name); }
     [[nodiscard]] ArmKey key(const std::string& name) const {
-        const auto key = load_or_make_arm_key(file(name));
-        REQUIRE(key);
-        return *key;
+        return value_of(load_or_make_arm_key(file(name)));
     }
-    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_keys_XXXXXX").string();
+    ScratchFolder folder;
 };
 
 // What is said when a program with the key `ours` wants the arm at `port`.
@@ -79,9 +67,7 @@ class Peer {
 };
 
 std::unique_ptr<UdpSocket> listen() {
-    auto socket = UdpSocket::listen({"127.0.0.1", 0});
-    REQUIRE(socket);
-    return std::move(*socket);
+    return value_of(UdpSocket::listen({"127.0.0.1", 0}));
 }
 
 // Answers whatever comes with a welcome sealed with `key`, and with another version where `version` is one.
@@ -105,22 +91,22 @@ auto make_answerer(UdpSocket& socket, const ArmKey& key, std::uint16_t version) 
 TEST_CASE("link words: each silence has a sentence of its own") {
     LinkStatus taken;
     taken.taken = true;
-    CHECK(has(why(taken), "held by another program"));
-    CHECK(has(why(came(Refusal::forged)), "an arm answers with another key"));
-    CHECK(has(why(came(Refusal::forged)), "keys/arm.key"));
-    CHECK(has(why(came(Refusal::version)), "another version of the link"));
-    CHECK(has(why({}, true), "no arm waits there"));
-    CHECK(has(why({}), "no arm answers, and nothing says that there is none"));
-    CHECK(has(why({}), "another key or version"));
-    CHECK(has(why({}), "arm:4701"));
+    check_says(why(taken), {"held by another program"});
+    check_says(why(came(Refusal::forged)), {"an arm answers with another key"});
+    check_says(why(came(Refusal::forged)), {"keys/arm.key"});
+    check_says(why(came(Refusal::version)), {"another version of the link"});
+    check_says(why({}, true), {"no arm waits there"});
+    check_says(why({}), {"no arm answers, and nothing says that there is none"});
+    check_says(why({}), {"another key or version"});
+    check_says(why({}), {"arm:4701"});
     // What came tells more than a port that was closed for a moment.
-    CHECK(has(why(came(Refusal::forged), true), "another key"));
+    check_says(why(came(Refusal::forged), true), {"another key"});
     // A packet that the way has damaged tells nothing of a key.
-    CHECK(has(why(came(Refusal::damaged)), "no arm answers"));
+    check_says(why(came(Refusal::damaged)), {"no arm answers"});
     for (const Refusal seems : {Refusal::forged, Refusal::version}) {
         LinkStatus damaged = came(Refusal::damaged);
         damaged.counts.received[static_cast<std::size_t>(seems)] = 2;
-        CHECK(has(why(damaged), "no arm answers"));
+        check_says(why(damaged), {"no arm answers"});
     }
 }
 
@@ -133,13 +119,13 @@ TEST_CASE("link words: another key, another version, silence and a closed port a
         const auto socket = listen();
         closed = socket->port();
         const Peer peer(make_answerer(*socket, theirs, kLinkVersion));
-        CHECK(has(open_at(closed, keys.file("ours.key")), "another key"));
+        check_says(open_at(closed, keys.file("ours.key")), {"another key"});
     }
-    CHECK(has(open_at(closed, keys.file("ours.key")), "no arm waits there"));
+    check_says(open_at(closed, keys.file("ours.key")), {"no arm waits there"});
     {
         const auto socket = listen();
         const Peer peer(make_answerer(*socket, ours, kLinkVersion + 1));
-        CHECK(has(open_at(socket->port(), keys.file("ours.key")), "another version"));
+        check_says(open_at(socket->port(), keys.file("ours.key")), {"another version"});
     }
     // An arm with another key says nothing, here and to any stranger; it counts who knocked.
     const auto socket = listen();
@@ -149,7 +135,7 @@ TEST_CASE("link words: another key, another version, silence and a closed port a
     ArmServer server({}, device, *socket, seal, numbers);
     {
         const Peer peer([&](double now_s) { server.step(now_s); });
-        CHECK(has(open_at(socket->port(), keys.file("ours.key")), "no arm answers"));
+        check_says(open_at(socket->port(), keys.file("ours.key")), {"no arm answers"});
     }
     const LinkCounts& counts = server.status().counts;
     CHECK(counts.received[static_cast<std::size_t>(Refusal::forged)] > 10);
@@ -186,17 +172,16 @@ TEST_CASE("link words: through sockets, in mid-run, both sentences come, each on
     request.hand = HandKind::link;
     request.hand_address = "127.0.0.1:" + std::to_string(socket->port());
     request.key_file = keys.file("arm.key");
-    const auto hand = HandDevice::open(request, HapticPlan{});
-    REQUIRE(hand);
+    const auto hand = value_of(HandDevice::open(request, HapticPlan{}));
     const double began_s = monotonic_now_s();
     const auto play = [&](double seconds) {
         std::string said;
         for (const double until_s = monotonic_now_s() + seconds; monotonic_now_s() < until_s;) {
             const double now_s = monotonic_now_s() - began_s;
             DeviceReading reading;
-            (void)(*hand)->device().read(now_s, reading);
-            (void)(*hand)->device().write(now_s, {});
-            said += (*hand)->take_notice();
+            (void)hand->device().read(now_s, reading);
+            (void)hand->device().write(now_s, {});
+            said += hand->take_notice();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return said;
@@ -204,10 +189,10 @@ TEST_CASE("link words: through sockets, in mid-run, both sentences come, each on
     CHECK(play(1.5).empty());
     is_slow.store(true);
     const std::string slow = play(3.5);
-    CHECK(has(slow, "too long for forces (250 ms at most)"));
+    check_says(slow, {"too long for forces (250 ms at most)"});
     CHECK(slow.find("The way", 1) == std::string::npos);
     is_slow.store(false);
     const std::string quick = play(3.0);
-    CHECK(has(quick, "forces come back, softly"));
+    check_says(quick, {"forces come back, softly"});
     CHECK(quick.find("The way", 1) == std::string::npos);
 }

@@ -2,15 +2,12 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/audio/recorded_microphone.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <chrono>
-#include <functional>
 #include <thread>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -113,8 +110,7 @@ TEST_CASE("live ear: without a key it says when to speak, and when to listen fir
     CHECK(shown(ear).microphone.level == 0.0);
 }
 
-TEST_CASE(
-    "live ear: without a microphone a banner says that typing goes on, and another one stays") {
+TEST_CASE("live ear: without a microphone a banner says so, and another one stays") {
     LiveEar ear(ListenMode::hold, open_none);
     CHECK(wait_for([&] { return shown(ear).banner == "NONE"; }));
     CHECK_FALSE(shown(ear).microphone.visible);

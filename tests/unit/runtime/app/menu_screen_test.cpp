@@ -1,10 +1,10 @@
 #include "runtime/app/menu_screen.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <stdexcept>
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

@@ -1,31 +1,24 @@
 #include "runtime/app/places.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cstdlib>
-#include <fstream>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 namespace fs = std::filesystem;
 
 namespace {
 
 // A small installation in a folder of its own.
 struct Installation {
-    fs::path root;
+    ScratchFolder folder;
+    fs::path root = folder.path();
     Installation() {
-        std::string pattern = (fs::temp_directory_path() / "fulcrum_places_XXXXXX").string();
-        root = mkdtemp(pattern.data());
-        fs::create_directories(root / "scenarios" / "gravity");
-        fs::create_directories(root / "scenarios" / "empty");
-        fs::create_directories(root / "scripts" / "lib");
-        fs::create_directories(root / "assets" / "words");
-        fs::create_directories(root / "build" / "dev" / "assets" / "models");
+        for (const char* part : {"scenarios/gravity", "scenarios/empty", "scripts/lib",
+                                 "assets/words", "build/dev/assets/models"}) {
+            fs::create_directories(root / part);
+        }
         std::ofstream(root / "scenarios" / "gravity" / "lesson.lua") << "return nil";
         std::ofstream(root / "build" / "dev" / "assets" / "models" / "apple.glb") << "x";
     }
-    ~Installation() { fs::remove_all(root); }
     [[nodiscard]] Places places() const {
         return find_places_from(root / "build" / "dev" / "fulcrum", {own()}).value();
     }
@@ -35,8 +28,7 @@ struct Installation {
 
 }  // namespace
 
-TEST_CASE(
-    "places: the folder above the program that holds lessons, scripts and words is the checkout") {
+TEST_CASE("places: the folder above the program with lessons, scripts and words is the checkout") {
     const Installation installation;
     const Places places = installation.places();
     CHECK(places.scenarios == installation.root / "scenarios");
@@ -47,9 +39,7 @@ TEST_CASE(
     CHECK_FALSE(find_places_from("/nowhere/at/all/fulcrum", {}));
 }
 
-TEST_CASE(
-    "places: an installed program finds its data and its helpers below the prefix, wherever that "
-    "is") {
+TEST_CASE("places: an installed program finds its data and helpers below any prefix") {
     const Installation installation;
     const fs::path prefix = installation.root / "prefix";
     const fs::path data = prefix / "share" / "fulcrum";
@@ -57,23 +47,21 @@ TEST_CASE(
         fs::create_directories(data / part);
     }
     fs::create_directories(prefix / "libexec" / "fulcrum");
-    const auto places = find_places_from(prefix / "bin" / "fulcrum", {installation.own()});
-    REQUIRE(places);
-    CHECK(places->scenarios == data / "scenarios");
-    CHECK(places->scripts_lib == data / "scripts" / "lib");
-    CHECK(places->words == data / "assets" / "words");
-    CHECK(places->models == data / "assets" / "models");
-    CHECK(places->helpers == prefix / "libexec" / "fulcrum");
+    const auto places =
+        value_of(find_places_from(prefix / "bin" / "fulcrum", {installation.own()}));
+    CHECK(places.scenarios == data / "scenarios");
+    CHECK(places.scripts_lib == data / "scripts" / "lib");
+    CHECK(places.words == data / "assets" / "words");
+    CHECK(places.models == data / "assets" / "models");
+    CHECK(places.helpers == prefix / "libexec" / "fulcrum");
     // Alone in another folder it finds that data all the same.
-    const auto alone =
-        find_places_from("/nowhere/at/all/fulcrum", {installation.own(), prefix / "share"});
-    REQUIRE(alone);
-    CHECK(alone->scenarios == data / "scenarios");
-    CHECK(alone->helpers == "/nowhere/at/all");
+    const auto alone = value_of(
+        find_places_from("/nowhere/at/all/fulcrum", {installation.own(), prefix / "share"}));
+    CHECK(alone.scenarios == data / "scenarios");
+    CHECK(alone.helpers == "/nowhere/at/all");
 }
 
-TEST_CASE(
-    "places: lessons of the user's own stand beside the others, and before one of the same name") {
+TEST_CASE("places: lessons of the user's own stand beside the others, before any of one name") {
     const Installation installation;
     const fs::path own = installation.own() / "fulcrum" / "scenarios";
     for (const char* name : {"stone", "gravity"}) {
@@ -86,9 +74,8 @@ TEST_CASE(
     CHECK(find_lesson(places, "gravity") == own / "gravity");
     // Who has no home folder has none.
     const auto none =
-        find_places_from(installation.root / "build" / "dev" / "fulcrum", {fs::path()});
-    REQUIRE(none);
-    CHECK(list_lesson_names(*none) == std::vector<std::string>{"gravity"});
+        value_of(find_places_from(installation.root / "build" / "dev" / "fulcrum", {fs::path()}));
+    CHECK(list_lesson_names(none) == std::vector<std::string>{"gravity"});
 }
 
 TEST_CASE("places: a lesson is found by name and by folder; a slip gets the nearest name") {
@@ -100,9 +87,7 @@ TEST_CASE("places: a lesson is found by name and by folder; a slip gets the near
                       (installation.root / "scenarios" / "gravity" / "lesson.lua").string()) ==
           installation.root / "scenarios" / "gravity");
     CHECK(list_lesson_names(places) == std::vector<std::string>{"gravity"});
-    const auto slip = find_lesson(places, "gravty");
-    REQUIRE_FALSE(slip);
-    CHECK(to_sentence(slip.error()).find("did you mean gravity") != std::string::npos);
+    check_says(refusal_of(find_lesson(places, "gravty")), {"did you mean gravity"});
     CHECK_FALSE(find_lesson(places, "empty"));
 }
 

@@ -1,12 +1,8 @@
 #include "runtime/app/program_build.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <fstream>
-#include <iterator>
-#include <string>
-
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 // The linker writes the id into the file itself, so it stands there byte for byte.
 TEST_CASE("program build: the id is the one that the linker wrote into this program's file") {
@@ -20,5 +16,5 @@ TEST_CASE("program build: the id is the one that the linker wrote into this prog
     }
     std::ifstream file("/proc/self/exe", std::ios::binary);
     const std::string program{std::istreambuf_iterator<char>(file), {}};
-    CHECK(program.find(bytes) != std::string::npos);
+    check_says(program, {bytes});
 }

@@ -1,9 +1,8 @@
 #include "runtime/app/replayed_input.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("replayed input: each key, notch and word comes once, in the frame of its time") {
     Record record;

@@ -1,21 +1,9 @@
 // Two hands on springs, recorded while they are stopped, lifted and left; then repeated from the record.
 #include "runtime/app/replayed_stops.h"
 
-#include "haptics/device/replay/recorded_traits.h"
-#include "haptics/device/replay/replay_device.h"
-#include "haptics/loop/hands_loop.h"
-#include "haptics/record/record_writer.h"
-#include "tests/support/scripted_device.h"
+#include "tests/unit/runtime/app/two_hands_run.h"
 
-#include <catch2/catch.hpp>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <functional>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -28,43 +16,21 @@ HapticPlan make_springs() {
     return plan;
 }
 
-// Both loops in one round, what they do kept.
-struct Run {
-    Run(Device& first, Device& second)
-        : loops{HapticLoop(make_springs(), first, channels[0]),
-                HapticLoop(make_springs(), second, channels[1])},
-          hands(std::array{HandInRound{&loops[0], &channels[0]},
-                           HandInRound{&loops[1], &channels[1]}}) {
-        for (std::size_t i = 0; i < 2; ++i) {
-            channels[i].record = &rings[i];
+using Run = TwoHands;
+
+// With this before each round.
+void play(Run& run, PeriodicTask& task, const std::function<void(int)>& before = {}) {
+    for (int k = 0; k < kRounds; ++k) {
+        if (before) {
+            before(k);
         }
+        task.step(0.001 * k);
+        run.drain();
     }
-    void play(PeriodicTask& task, const std::function<void(int)>& before = {}) {
-        for (int k = 0; k < kRounds; ++k) {
-            if (before) {
-                before(k);
-            }
-            task.step(0.001 * k);
-            for (std::size_t i = 0; i < 2; ++i) {
-                for (RecordRound round; rings[i].pop(round);) {
-                    rounds[i].push_back(round);
-                }
-            }
-        }
-    }
-    std::array<HapticChannels, 2> channels;
-    std::array<RecordRing, 2> rings;
-    std::array<HapticLoop, 2> loops;
-    HandsLoop hands;
-    std::array<std::vector<RecordRound>, 2> rounds;
-};
+}
 
 Record record_of(const Run& run, const ScriptedDevice& first, const ScriptedDevice& second) {
-    RecordHeader header;
-    header.lesson = "springs";
-    header.effects = {"spring"};
-    list_traits(first.traits(), header.facts);
-    header.more_hands = {{5.0, 0.3, {"spring", "brake"}}};
+    RecordHeader header = make_header(first, {"spring"}, {"spring", "brake"});
     std::vector<RecordFact> own;
     list_traits(second.traits(), own);
     for (const RecordFact& fact : own) {
@@ -76,19 +42,7 @@ Record record_of(const Run& run, const ScriptedDevice& first, const ScriptedDevi
         encoder.append(1, run.rounds[1][k]);
     }
     encoder.finish();
-    auto read = read_record(encoder.take_bytes());
-    REQUIRE(read);
-    return std::move(*read);
-}
-
-bool same(const RecordSample& a, const RecordSample& b) {
-    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    bool same = a.tick == b.tick && a.faults == b.faults && a.gate == b.gate;
-    for (int i = 0; i < 3; ++i) {
-        same = same && bits(a.applied_W.force[i]) == bits(b.applied_W.force[i]) &&
-               bits(a.commanded_W.force[i]) == bits(b.commanded_W.force[i]);
-    }
-    return same;
+    return value_of(read_record(encoder.take_bytes()));
 }
 
 }  // namespace
@@ -97,8 +51,8 @@ TEST_CASE("replayed stops: stops, lifts and leaving of two hands are repeated to
     ScriptedDevice first;
     ScriptedDevice second;
     second.traits_.max_force_N = 2.5;
-    auto run = std::make_unique<Run>(first, second);
-    run->play(run->hands, [&](int k) {
+    auto run = std::make_unique<Run>(make_springs(), first, second);
+    play(*run, run->hands, [&](int k) {
         // Calm from time to time, so that the gates open again.
         const double swing_m = 0.02 * std::max(std::sin(0.003 * k), 0.0);
         first.pose_D.position = {swing_m, 0.001 * std::sin(0.1 * k), 0.0};
@@ -146,9 +100,9 @@ TEST_CASE("replayed stops: stops, lifts and leaving of two hands are repeated to
     ReplayDevice first_again(*whole);
     ReplayDevice second_again(*alone);
     CHECK(second_again.traits().max_force_N == 2.5);
-    auto again = std::make_unique<Run>(first_again, second_again);
+    auto again = std::make_unique<Run>(make_springs(), first_again, second_again);
     ReplayedStops stops({{whole, &again->channels[0]}, {alone, &again->channels[1]}}, again->hands);
-    again->play(stops);
+    play(*again, stops);
     for (std::size_t i = 0; i < 2; ++i) {
         const auto& was = i == 0 ? record.samples : record.more_hands[0].samples;
         for (std::size_t k = 0; k < kRounds; ++k) {
@@ -159,17 +113,17 @@ TEST_CASE("replayed stops: stops, lifts and leaving of two hands are repeated to
     // And without them it is another run.
     ReplayDevice bare_first(*whole);
     ReplayDevice bare_second(*alone);
-    auto bare = std::make_unique<Run>(bare_first, bare_second);
-    bare->play(bare->hands);
+    auto bare = std::make_unique<Run>(make_springs(), bare_first, bare_second);
+    play(*bare, bare->hands);
     CHECK_FALSE(same(record.samples[700], bare->rounds[0][700].sample));
 }
 
 TEST_CASE("replayed stops: a record without a round stops nobody") {
     ScriptedDevice first;
     ScriptedDevice second;
-    auto run = std::make_unique<Run>(first, second);
+    auto run = std::make_unique<Run>(make_springs(), first, second);
     ReplayedStops stops({{std::make_shared<const Record>(), &run->channels[0]}}, run->hands);
-    run->play(stops);
+    play(*run, stops);
     CHECK(run->rounds[0].size() == kRounds);
     CHECK_FALSE(any(run->rounds[0].back().sample.faults));
     stops.silence(7.0);

@@ -1,25 +1,19 @@
 #include "runtime/app/run_recorder.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cstdlib>
-#include <filesystem>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("run recorder: rounds, what happened and how it failed stand in the file") {
-    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_rec_XXXXXX").string();
-    REQUIRE(mkdtemp(folder.data()) != nullptr);
-    const std::string file = folder + "/run.rec";
+    const ScratchFolder folder;
+    const std::string file = folder.file("run.rec");
     HapticChannels channels;
     RecordHeader header;
     header.lesson = "gravity";
     header.effects = {"weight"};
     header.bodies = {"a", "b", "c", "d", "e"};
     header.facts = {{"option.seed", "7"}};
-    auto recorder = RunRecorder::create(file, header, channels, {"breeze"});
-    REQUIRE(recorder);
+    auto recorder = value_of(RunRecorder::create(file, header, channels, {"breeze"}));
     REQUIRE(channels.record != nullptr);
     for (std::uint64_t tick = 0; tick < 5; ++tick) {
         RecordRound round;
@@ -42,20 +36,20 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
     input.keys = {"space"};
     input.wheel = -0.5;
     input.heard = "An egg.";
-    (*recorder)->keep_frame(input);
+    recorder->keep_frame(input);
     SessionOutput output;
     output.world = {{WorldCommand::Kind::drop, 4}, {WorldCommand::Kind::release}};
     output.force.fields[0].strength = 0.5;
     output.said = {"4.5 s  asks  Which?"};
     SessionResult result;
-    (*recorder)->keep_output(0.005, output, result);
+    recorder->keep_output(0.005, output, result);
     result.finished = true;
     result.score = 6;
     result.stars = 2;
     output.world.clear();
     output.said.clear();
-    (*recorder)->keep_output(0.0053, output, result);
-    (*recorder)->keep_output(0.0054, output, result);  // nothing new
+    recorder->keep_output(0.0053, output, result);
+    recorder->keep_output(0.0054, output, result);  // nothing new
     SessionInput touching;
     touching.time_s = 0.0055;
     touching.world = &world;
@@ -67,25 +61,24 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
     lateness.add(contact);
     contact.step(1.0, 0.875, 0.001);
     lateness.add(contact);
-    (*recorder)->watch(&lateness);
-    (*recorder)->keep_frame(touching);
-    (*recorder)->keep_frame(touching);  // still the same touch, and nothing has moved
-    (*recorder)->keep_failure(0.006, "lesson.lua:3: no.");
-    CHECK((*recorder)->dropped() == 0);
-    REQUIRE((*recorder)->finish());
+    recorder->watch(&lateness);
+    recorder->keep_frame(touching);
+    recorder->keep_frame(touching);  // still the same touch, and nothing has moved
+    recorder->keep_failure(0.006, "lesson.lua:3: no.");
+    CHECK(recorder->dropped() == 0);
+    REQUIRE(recorder->finish());
 
-    const auto record = load_record(file);
-    REQUIRE(record);
-    CHECK_FALSE(record->cut_off);
-    CHECK(record->header.lesson == "gravity");
-    CHECK(record->header.facts == header.facts);
-    CHECK(record->header.bodies == header.bodies);
-    REQUIRE(record->samples.size() == 5);
-    CHECK(record->shares_of(4)[0].force.y() == -4.0);
-    REQUIRE(record->bodies.size() == 1);  // the other one is as it was at first
-    CHECK((record->bodies[0].body == 1 && record->bodies[0].time_s == 0.005));
-    CHECK(record->bodies[0].state.where == BodyWhere::falling);
-    CHECK(record->bodies[0].state.pose_W.position.y() == 0.7);
+    const auto record = value_of(load_record(file));
+    CHECK_FALSE(record.cut_off);
+    CHECK(record.header.lesson == "gravity");
+    CHECK(record.header.facts == header.facts);
+    CHECK(record.header.bodies == header.bodies);
+    REQUIRE(record.samples.size() == 5);
+    CHECK(record.shares_of(4)[0].force.y() == -4.0);
+    REQUIRE(record.bodies.size() == 1);  // the other one is as it was at first
+    CHECK((record.bodies[0].body == 1 && record.bodies[0].time_s == 0.005));
+    CHECK(record.bodies[0].state.where == BodyWhere::falling);
+    CHECK(record.bodies[0].state.pose_W.position.y() == 0.7);
 
     struct Wanted {
         RecordEventKind kind;
@@ -112,15 +105,14 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
         {RecordEventKind::cut, 0.0055, kNoBody,
          "1 steps gave less force, for contact was found too late: up to 0.125 s so far"},
         {RecordEventKind::failed, 0.006, kNoBody, "lesson.lua:3: no."}};
-    REQUIRE(record->events.size() == std::size(expected));
+    REQUIRE(record.events.size() == std::size(expected));
     for (std::size_t i = 0; i < std::size(expected); ++i) {
         INFO(i);
-        CHECK(record->events[i].kind == expected[i].kind);
-        CHECK(record->events[i].time_s == expected[i].time_s);
-        CHECK(record->events[i].body == expected[i].body);
-        CHECK(record->events[i].text == expected[i].text);
+        CHECK(record.events[i].kind == expected[i].kind);
+        CHECK(record.events[i].time_s == expected[i].time_s);
+        CHECK(record.events[i].body == expected[i].body);
+        CHECK(record.events[i].text == expected[i].text);
     }
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("run recorder: a file that cannot be made is refused, a full disk is told at the end") {

@@ -1,9 +1,8 @@
 #include "runtime/app/shown_sentences.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -29,6 +28,12 @@ SessionHud hud_with(const std::string& caption, const std::string& title = {}) {
 
 using Notes = std::vector<std::string>;
 
+// What is told of a text with "bad" in it, at its place.
+std::string note(const std::string& place, const std::string& text) {
+    return place + ": \"" + text + "\" is no good English; better is \"" +
+           find_bad(text).corrected + "\".";
+}
+
 }  // namespace
 
 TEST_CASE("shown sentences: each is told once, with the line where it or most of it is written") {
@@ -43,13 +48,11 @@ TEST_CASE("shown sentences: each is told once, with the line where it or most of
     shown.look(hud_with("It is bad: 12.25 newtons."));
     shown.look(hud_with("Nobody wrote bad."));
     shown.look(hud_with("All is well."));
-    const std::string better = "\" is no good English; better is \"";
-    CHECK(shown.review(&find_bad).notes ==
-          Notes{"more.lua:3: \"A bad hint." + better + "A good hint.\".",
-                "lesson.lua:2: \"The egg feels bad now." + better + "The egg feels good now.\".",
-                "lesson.lua:1: \"A bad title" + better + "A good title\".",
-                "lesson.lua:3: \"It is bad: 3.5 newtons." + better + "It is good: 3.5 newtons.\".",
-                "lesson.lua: \"Nobody wrote bad." + better + "Nobody wrote good.\"."});
+    CHECK(shown.review(&find_bad).notes == Notes{note("more.lua:3", "A bad hint."),
+                                                 note("lesson.lua:2", "The egg feels bad now."),
+                                                 note("lesson.lua:1", "A bad title"),
+                                                 note("lesson.lua:3", "It is bad: 3.5 newtons."),
+                                                 note("lesson.lua", "Nobody wrote bad.")});
     CHECK(shown.review({}).notes.empty());
 }
 
@@ -63,12 +66,9 @@ TEST_CASE("shown sentences: what is said about things and what is answered have 
     shown.add_things(lesson);
     shown.add_answer("sky", 9, "It is bad.");
     shown.add_answer("sky", 9, "");
-    const std::string better = "\" is no good English; better is \"";
     CHECK(shown.review(&find_bad).notes ==
-          Notes{"lesson.lua:1: \"This is a bad egg." + better + "This is a good egg.\".",
-                "lesson.lua:7: \"A bad rock." + better + "A good rock.\".",
-                "lesson.lua:9: what the lesson knows as \"sky\": \"It is bad." + better +
-                    "It is good.\"."});
+          Notes{note("lesson.lua:1", "This is a bad egg."), note("lesson.lua:7", "A bad rock."),
+                note("lesson.lua:9: what the lesson knows as \"sky\"", "It is bad.")});
     // Of very many answers to one thing the first are enough.
     for (char c = 'a'; c <= 'z'; ++c) {
         shown.add_answer("sky", 9, std::string("It is a bad ") + c + ".");
@@ -97,8 +97,7 @@ TEST_CASE("shown sentences: what a grammar could not read is told with its place
     CHECK(shown.review({}).unread.empty());
 }
 
-TEST_CASE(
-    "shown sentences: one that stands in two lines is told once, with both, and asked about once") {
+TEST_CASE("shown sentences: one that stands in two lines is told and asked about once, with both") {
     ShownSentences shown({{"lesson.lua", "hint = \"A bad hint.\"\n\nsolution = \"A bad hint.\""},
                           {"more.lua", "hint = \"A bad hint.\""}});
     shown.look(hud_with("A bad hint."));
@@ -108,8 +107,7 @@ TEST_CASE(
         return find_bad(text);
     });
     CHECK(asked == 1);
-    CHECK(review.notes == Notes{"lesson.lua:1, lesson.lua:3, more.lua:1: \"A bad hint.\" is no "
-                                "good English; better is \"A good hint.\"."});
+    CHECK(review.notes == Notes{note("lesson.lua:1, lesson.lua:3, more.lua:1", "A bad hint.")});
 }
 
 TEST_CASE("shown sentences: a prompt is told as its question's, once, though it is shown as well") {
@@ -126,8 +124,6 @@ TEST_CASE("shown sentences: a prompt is told as its question's, once, though it 
     shown.add_questions(lesson);
     shown.look(hud_with("Look.\nIs it bad?"));
     CHECK(shown.review(&find_bad).notes ==
-          Notes{"lesson.lua:2: question \"q\": \"Look. Is it bad?\" is no good English; better is "
-                "\"Look. Is it good?\".",
-                "lesson.lua:3: question \"q\": \"Look at the bad one.\" is no good English; better "
-                "is \"Look at the good one.\"."});
+          Notes{note("lesson.lua:2: question \"q\"", "Look. Is it bad?"),
+                note("lesson.lua:3: question \"q\"", "Look at the bad one.")});
 }

@@ -1,17 +1,11 @@
 #include "runtime/app/site_file.h"
 
-#include "tests/support/scratch_folder.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cstdlib>
-#include <fstream>
-#include <string>
 #include <sys/stat.h>
 #include <unistd.h>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -57,41 +51,36 @@ std::string complaint(const std::string& text) {
 }  // namespace
 
 TEST_CASE("site file: four limits, comments and empty lines") {
-    const auto site = parse_site_file(
+    const auto site = value_of(parse_site_file(
         "# this room\n\nforce_limit = 3 # newtons\r\n\ttorque_limit=0.2\nspeed_limit = "
         "2\nenergy_limit = 1.5",
-        "f");
-    REQUIRE(site);
-    CHECK(site->force_N == 3.0);
-    CHECK(site->torque_Nm == 0.2);
-    CHECK(site->speed_m_per_s == 2.0);
-    CHECK(site->energy_J == 1.5);
-    const auto nothing = parse_site_file("", "f");
-    REQUIRE(nothing);
-    CHECK_FALSE(nothing->force_N);
+        "f"));
+    CHECK(site.force_N == 3.0);
+    CHECK(site.torque_Nm == 0.2);
+    CHECK(site.speed_m_per_s == 2.0);
+    CHECK(site.energy_J == 1.5);
+    const auto nothing = value_of(parse_site_file("", "f"));
+    CHECK_FALSE(nothing.force_N);
     // Said twice, the smaller holds.
     CHECK(parse_site_file("force_limit = 2\nforce_limit = 4", "f")->force_N == 2.0);
 }
 
 TEST_CASE("site file: what is no limit is told with its line, and nothing is guessed") {
-    CHECK(complaint("force_limit = 3\nforse_limit = 2").find("site.conf:2") != std::string::npos);
+    check_says(complaint("force_limit = 3\nforse_limit = 2"), {"site.conf:2"});
     for (const char* const bad :
          {"force_limit", "= 3", "force_limit 3", "force_limit = ", "force_limit = three",
           "force_limit = 3 N", "force_limit = 0.4", "force_limit = 10.1", "force_limit = nan",
           "force_limit = inf", "force_limit = -1", "torque_limit = 1.1", "speed_limit = 0",
           "energy_limit = 21", "\xff\xfe", "force_limit = 3 force_limit = 2"}) {
         INFO(bad);
-        CHECK(complaint(bad).find("site.conf:1") != std::string::npos);
+        check_says(complaint(bad), {"site.conf:1"});
     }
 }
 
-TEST_CASE(
-    "site file: of the computer's file, the user's and the command line the least of each holds") {
+TEST_CASE("site file: of the computer's, the user's and the command line's the least holds") {
     const OwnSettings settings;
     const auto find = [&](std::optional<double> asked_N) {
-        const auto limits = find_site_limits(asked_N, settings.shared_file());
-        REQUIRE(limits);
-        return *limits;
+        return value_of(find_site_limits(asked_N, settings.shared_file()));
     };
     CHECK(find({}).force_N == SafetySettings{}.max_force_N);
     CHECK(find(10.0).force_N == 10.0);
@@ -128,12 +117,9 @@ TEST_CASE("site file: one that cannot be read keeps every lesson from starting")
     CHECK(find_site_limits({}, settings.shared_file()));
 }
 
-TEST_CASE(
-    "site file: a pipe in its place makes nobody wait, and keeps every lesson from starting") {
+TEST_CASE("site file: a pipe in its place makes nobody wait, and no lesson starts") {
     const ScratchFolder folder;
     const auto file = folder.path() / "site.conf";
     REQUIRE(::mkfifo(file.c_str(), 0644) == 0);
-    const auto read = load_site_file(file);
-    REQUIRE_FALSE(read);
-    CHECK(read.error().where == file.string());
+    CHECK(error_of(load_site_file(file)).where == file.string());
 }

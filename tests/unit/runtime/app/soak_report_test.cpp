@@ -1,9 +1,8 @@
 #include "runtime/app/soak_report.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -93,13 +92,10 @@ TEST_CASE("soak report: how fast it was is told by the clock and by what the pro
 TEST_CASE("soak report: each kind is told with how often it broke and how often it faded") {
     const std::string text = describe_soak(sum_of(make_whole()), {0.1, 2.0});
     INFO(text);
-    CHECK(text.find("Broke: packets lost 2, a long way 2") != std::string::npos);
-    CHECK(text.find(", disk full 3.") != std::string::npos);
-    CHECK(
-        text.find("Faded: cable pulled 1, no pose 1, no number 1, a stuck sensor 1, motor refuses "
-                  "1, stop at the arm 1, world stands 1, lesson hangs 1, lesson killed 1.") !=
-        std::string::npos);
-    CHECK(text.find("The hand: follows 1, presses 1, slides 1, jerks 1, lets go 1.") !=
-          std::string::npos);
-    CHECK(text.find("Deadlines under the virtual clock: 12 met.") != std::string::npos);
+    check_says(text,
+               {"Broke: packets lost 2, a long way 2", ", disk full 3.",
+                "Faded: cable pulled 1, no pose 1, no number 1, a stuck sensor 1, motor refuses "
+                "1, stop at the arm 1, world stands 1, lesson hangs 1, lesson killed 1.",
+                "The hand: follows 1, presses 1, slides 1, jerks 1, lets go 1.",
+                "Deadlines under the virtual clock: 12 met."});
 }

@@ -2,17 +2,13 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/tool/tool_plan.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <chrono>
-#include <cmath>
-#include <memory>
 #include <thread>
-#include <variant>
-#include <vector>
 
-namespace fulcrum::runtime {
+using namespace fulcrum::runtime::test;
+
 namespace {
 
 PlanStage stage(const char* loop, const char* name) {
@@ -36,6 +32,8 @@ const StageFigures* find(const Analysis& analysis, std::size_t index) {
     }
     return nullptr;
 }
+
+}  // namespace
 
 TEST_CASE("stage clock: each call is counted for its own stage, what is not in the plan for none") {
     const Plan plan = make_plan();
@@ -61,9 +59,7 @@ TEST_CASE("stage clock: each call is counted for its own stage, what is not in t
     CHECK(find(analysis, 6)->calls == 1);
 }
 
-TEST_CASE(
-    "stage clock: what of the tool could run beside it is the contact stage's, and not the "
-    "tool's") {
+TEST_CASE("stage clock: what could run beside the tool is the contact stage's, not the tool's") {
     Plan plan = make_plan();
     plan.stages.push_back(stage("haptic", "tool"));
     plan.stages.push_back({"contact", "finding", 2000.0, 0, "", 0});
@@ -154,8 +150,7 @@ TEST_CASE("stage clock: errors are what was compared, and stand with their stage
     CHECK(withheld[0].value == Approx(std::sqrt((9.0 + 16.0) / 2.0)));
 }
 
-TEST_CASE(
-    "stage clock: of a tool it tells what was looked at, what was off and what took too long") {
+TEST_CASE("stage clock: of a tool it tells what was looked at, was off and took too long") {
     Plan plan = make_plan();
     plan.haptic.rate_hz = 1000.0;
     plan.stages.push_back(stage("haptic", "tool"));
@@ -184,9 +179,7 @@ TEST_CASE(
     CHECK(tool->errors[3].against == "500 us");
 }
 
-TEST_CASE(
-    "stage clock: of a tool's force it tells the bound that its method has, and none where it has "
-    "none") {
+TEST_CASE("stage clock: a tool's force is told with the bound that its method has, or none") {
     const auto find_error = [](ToolPlan tool) {
         Plan plan = make_plan();
         plan.haptic.tool = std::make_shared<const ToolPlan>(std::move(tool));
@@ -235,6 +228,3 @@ TEST_CASE("stage clock: a hand whose speed nobody knows has no error of velocity
     clock.compare(HapticState{}, std::nullopt);
     CHECK(find(clock.finish(1.0, 1.0), 1)->errors.empty());
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

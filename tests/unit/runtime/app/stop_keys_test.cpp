@@ -1,10 +1,9 @@
 #include "runtime/app/stop_keys.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <memory>
+using namespace fulcrum::runtime::test;
 
-namespace fulcrum::runtime {
 namespace {
 
 constexpr RunState kPlaying{};
@@ -17,53 +16,45 @@ struct Run {
     [[nodiscard]] bool is_rearmed() const { return channels->rearm.load(); }
 };
 
-TEST_CASE("stop keys: stops from outside that others heard before are no stops of this lesson") {
-    StopKeys keys(2);
-    keys.hear(2);
-    CHECK_FALSE(keys.stopped());
-    keys.hear(3);
-    CHECK(keys.stopped());
+// A key that goes down while it plays, or is held; what it does, and how the run is left.
+struct Step {
+    const char* key;
+    bool is_held;
+    StopKey does;
+    bool is_pressed, is_rearmed;
+};
+
+void press_each(StopKeys& keys, const Run& run, std::initializer_list<Step> steps) {
+    for (const Step& step : steps) {
+        CAPTURE(step.key, step.is_held);
+        CHECK(keys.take(step.key, step.is_held, kPlaying) == step.does);
+        CHECK(run.is_pressed() == step.is_pressed);
+        CHECK(run.is_rearmed() == step.is_rearmed);
+        CHECK(keys.stopped() == step.is_pressed);
+    }
 }
+
+}  // namespace
 
 TEST_CASE("stop keys: escape presses, return lifts and rearms, a second escape leaves") {
     Run run;
     StopKeys keys;
     keys.watch(run.channels.get());
-    CHECK(keys.take("return", false, kPlaying) == StopKey::nothing);
-    CHECK(keys.take("a", false, kPlaying) == StopKey::nothing);
-    CHECK_FALSE(run.is_pressed());
-    CHECK_FALSE(run.is_rearmed());
-
-    CHECK(keys.take("escape", false, kPlaying) == StopKey::press);
-    CHECK(keys.stopped());
-    CHECK(run.is_pressed());
-    CHECK(keys.take("a", false, kPlaying) == StopKey::nothing);
-    CHECK(run.is_pressed());
-    CHECK_FALSE(run.is_rearmed());
-
-    CHECK(keys.take("return", false, kPlaying) == StopKey::lift);
-    CHECK_FALSE(keys.stopped());
-    CHECK_FALSE(run.is_pressed());
-    CHECK(run.is_rearmed());
+    press_each(keys, run,
+               {{"return", false, StopKey::nothing, false, false},
+                {"a", false, StopKey::nothing, false, false},
+                {"escape", true, StopKey::nothing, false, false},
+                {"escape", false, StopKey::press, true, false},
+                {"escape", true, StopKey::nothing, true, false},
+                {"return", true, StopKey::nothing, true, false},
+                {"a", false, StopKey::nothing, true, false},
+                {"return", false, StopKey::lift, false, true}});
     // It was pressed all the same, however briefly: the loop sees it once.
     CHECK(run.channels->emergency_stop.take());
     CHECK_FALSE(run.channels->emergency_stop.take());
-
-    CHECK(keys.take("escape", false, kPlaying) == StopKey::press);
-    CHECK(keys.take("escape", false, kPlaying) == StopKey::leave);
-    CHECK(run.is_pressed());
-}
-
-TEST_CASE("stop keys: a key that is held down does nothing more") {
-    Run run;
-    StopKeys keys;
-    keys.watch(run.channels.get());
-    CHECK(keys.take("escape", true, kPlaying) == StopKey::nothing);
-    CHECK_FALSE(run.is_pressed());
-    CHECK(keys.take("escape", false, kPlaying) == StopKey::press);
-    CHECK(keys.take("escape", true, kPlaying) == StopKey::nothing);
-    CHECK(keys.take("return", true, kPlaying) == StopKey::nothing);
-    CHECK(run.is_pressed());
+    press_each(keys, run,
+               {{"escape", false, StopKey::press, true, true},
+                {"escape", false, StopKey::leave, true, true}});
 }
 
 TEST_CASE("stop keys: where nothing is left to stop, escape leaves") {
@@ -88,9 +79,7 @@ TEST_CASE("stop keys: a stop outlives the run, and a failed run's return lifts n
     keys.watch(second.channels.get());
     CHECK(second.is_pressed());
     CHECK_FALSE(second.is_rearmed());
-    CHECK(keys.take("return", false, kPlaying) == StopKey::lift);
-    CHECK_FALSE(second.is_pressed());
-    CHECK(second.is_rearmed());
+    press_each(keys, second, {{"return", false, StopKey::lift, false, true}});
     // One that was lifted is not pressed again.
     Run third;
     keys.watch(third.channels.get());
@@ -108,51 +97,42 @@ TEST_CASE("stop keys: an arm whose window lost the keyboard is stopped; a mouse 
     keys.lose_focus(true);
     CHECK(keys.stopped());
     CHECK(run.is_pressed());
-    CHECK(keys.take("return", false, kPlaying) == StopKey::lift);
-    CHECK_FALSE(run.is_pressed());
+    press_each(keys, run, {{"return", false, StopKey::lift, false, true}});
 }
 
-}  // namespace
-}  // namespace fulcrum::runtime
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
-
-TEST_CASE("stop keys: a stop from outside is a stop, once for each") {
-    HapticChannels channels;
-    StopKeys keys;
-    keys.watch(&channels);
-    keys.hear(0);
-    CHECK_FALSE(keys.stopped());
-    keys.hear(1);
-    CHECK(keys.stopped());
-    CHECK(channels.emergency_stop.is_pressed());
-    CHECK(keys.take("return", false, RunState{}) == StopKey::lift);
-    keys.hear(1);
-    CHECK_FALSE(keys.stopped());
-    keys.hear(2);
-    CHECK(keys.stopped());
+TEST_CASE("stop keys: a stop from outside is a stop, once for each, but for earlier lessons'") {
+    for (const unsigned heard : {0U, 2U}) {
+        Run run;
+        StopKeys keys(heard);
+        keys.watch(run.channels.get());
+        keys.hear(heard);
+        CHECK_FALSE(keys.stopped());
+        keys.hear(heard + 1);
+        CHECK(keys.stopped());
+        CHECK(run.is_pressed());
+        press_each(keys, run, {{"return", false, StopKey::lift, false, true}});
+        keys.hear(heard + 1);
+        CHECK_FALSE(keys.stopped());
+        keys.hear(heard + 2);
+        CHECK(keys.stopped());
+    }
 }
 
-TEST_CASE(
-    "stop keys: a gate that was stopped at the device is shown as stopped, one that was lifted "
-    "just now is not") {
-    HapticChannels channels;
+TEST_CASE("stop keys: a gate stopped at the device is shown so, one lifted just now is not") {
+    Run run;
     StopKeys keys;
-    keys.watch(&channels);
-    for (int frame = 0; frame < 19; ++frame) {
-        keys.watch_gate(true);
-        REQUIRE_FALSE(keys.stopped());
+    keys.watch(run.channels.get());
+    for (const int times : {1, 2}) {
+        CAPTURE(times);
+        for (int frame = 0; frame < 19; ++frame) {
+            keys.watch_gate(true);
+            REQUIRE_FALSE(keys.stopped());
+        }
+        keys.watch_gate(times == 2);
     }
-    keys.watch_gate(false);
-    for (int frame = 0; frame < 19; ++frame) {
-        keys.watch_gate(true);
-        REQUIRE_FALSE(keys.stopped());
-    }
-    keys.watch_gate(true);
     CHECK(keys.stopped());
     // Lifted; the picture still shows it for some frames.
-    CHECK(keys.take("return", false, RunState{}) == StopKey::lift);
+    CHECK(keys.take("return", false, kPlaying) == StopKey::lift);
     keys.watch_gate(true);
     keys.watch_gate(true);
     CHECK_FALSE(keys.stopped());

@@ -1,23 +1,16 @@
 #include "runtime/app/stop_signal.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <memory>
-#include <string>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -61,26 +54,34 @@ int run_stoppable(int told, Kind kind) {
     return 1;
 }
 
+// What a process of its own that does this ends with.
+int exit_code_of(pid_t id) {
+    int status = 0;
+    return ::waitpid(id, &status, 0) == id && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+pid_t start_process(const std::function<int()>& deed) {
+    const pid_t id = ::fork();
+    if (id == 0) {
+        ::_exit(deed());
+    }
+    return id;
+}
+
 // Started, and known to be so; its exit code is asked for once.
 class Other {
   public:
     explicit Other(Kind kind = Kind::usual) {
         int ends[2];
         REQUIRE(::pipe(ends) == 0);
-        id_ = ::fork();
-        if (id_ == 0) {
-            ::_exit(run_stoppable(ends[1], kind));
-        }
+        id_ = start_process([&] { return run_stoppable(ends[1], kind); });
         ::close(ends[1]);
         char ready = 0;
         (void)!::read(ends[0], &ready, 1);
         ::close(ends[0]);
     }
     [[nodiscard]] pid_t id() const { return id_; }
-    [[nodiscard]] int exit_code() const {
-        int status = 0;
-        return ::waitpid(id_, &status, 0) == id_ && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
+    [[nodiscard]] int exit_code() const { return exit_code_of(id_); }
     // Until the system says that it is in this state.
     void await_state(char wanted) const {
         char state = ' ';
@@ -99,9 +100,7 @@ class Other {
 };
 
 std::size_t stop_all() {
-    const auto stopped = stop_all_hands({.name = test_name()});
-    REQUIRE(stopped);
-    return *stopped;
+    return value_of(stop_all_hands({.name = test_name()}));
 }
 
 }  // namespace
@@ -110,25 +109,21 @@ TEST_CASE("stop signal: presses the switch of every process that can be stopped,
     const Other first;
     const Other second(Kind::hangs);
     const Other third(Kind::closed);
-    const pid_t other = ::fork();
-    if (other == 0) {
+    const pid_t other = start_process([] {
         // Says nothing of itself: a signal would end it.
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        ::_exit(0);
-    }
+        return 0;
+    });
     CHECK(stop_all() == 3);
     CHECK(first.exit_code() == 0);
     CHECK(second.exit_code() == 0);
     CHECK(third.exit_code() == 0);
-    int status = 0;
-    REQUIRE(::waitpid(other, &status, 0) == other);
-    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+    CHECK(exit_code_of(other) == 0);
     // Nothing is left that could be told, and that is no error.
     CHECK(stop_all() == 0);
 }
 
-TEST_CASE(
-    "stop signal: what was killed is not counted, what the system has halted hears it later") {
+TEST_CASE("stop signal: what was killed is not counted, what is halted hears it later") {
     const Other killed;
     const Other halted;
     const Other living;
@@ -146,30 +141,26 @@ TEST_CASE(
 TEST_CASE("stop signal: one alone is stopped where it is named") {
     const Other meant;
     const Other left;
-    const auto stopped = stop_all_hands({.name = test_name(), .only = meant.id()});
-    REQUIRE(stopped);
-    CHECK(*stopped == 1);
+    const auto stopped = value_of(stop_all_hands({.name = test_name(), .only = meant.id()}));
+    CHECK(stopped == 1);
     CHECK(meant.exit_code() == 0);
     CHECK(stop_all() == 1);
     CHECK(left.exit_code() == 0);
 }
 
 TEST_CASE("stop signal: where nobody can see what runs, that is told and is no success") {
-    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_proc_XXXXXX").string();
-    REQUIRE(::mkdtemp(folder.data()) != nullptr);
+    const ScratchFolder folder;
     // Not there; a file; empty, as where it is not mounted; a process that tells nothing of itself.
-    std::ofstream(folder + "/file") << "none";
-    std::filesystem::create_directories(folder + "/empty");
-    std::filesystem::create_directories(folder + "/mute/" + std::to_string(::getpid()));
-    for (const char* where : {"/none", "/file", "/empty", "/mute"}) {
+    folder.write("file", "none");
+    std::filesystem::create_directories(folder.file("empty"));
+    std::filesystem::create_directories(folder.file("mute/" + std::to_string(::getpid())));
+    for (const char* where : {"none", "file", "empty", "mute"}) {
         CAPTURE(where);
-        const auto stopped = stop_all_hands({.name = test_name(), .processes = folder + where});
-        REQUIRE_FALSE(stopped);
-        CHECK(to_sentence(stopped.error()).find("nobody can see what runs here") !=
-              std::string::npos);
-        CHECK(to_sentence(stopped.error()).ends_with("switch the arm off."));
+        const std::string stopped =
+            refusal_of(stop_all_hands({.name = test_name(), .processes = folder.file(where)}));
+        check_says(stopped, {"nobody can see what runs here"});
+        CHECK(stopped.ends_with("switch the arm off."));
     }
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("stop signal: root stops everybody's, others their own alone") {
@@ -180,15 +171,12 @@ TEST_CASE("stop signal: root stops everybody's, others their own alone") {
     const Other of_root;
     const Other of_nobody(Kind::of_another);
     // As nobody: that one alone is told.
-    const pid_t stopper = ::fork();
-    if (stopper == 0) {
+    const pid_t stopper = start_process([] {
         const bool is_nobody = ::setuid(kNobody) == 0;
         const auto stopped = stop_all_hands({.name = test_name()});
-        ::_exit(is_nobody && stopped && *stopped == 1 ? 0 : 1);
-    }
-    int status = 0;
-    REQUIRE(::waitpid(stopper, &status, 0) == stopper);
-    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+        return is_nobody && stopped && *stopped == 1 ? 0 : 1;
+    });
+    CHECK(exit_code_of(stopper) == 0);
     CHECK(of_nobody.exit_code() == 0);
     const Other again(Kind::of_another);
     CHECK(stop_all() == 2);
@@ -197,8 +185,7 @@ TEST_CASE("stop signal: root stops everybody's, others their own alone") {
 }
 
 TEST_CASE("stop signal: none is lost between two targets, and none presses one that is gone") {
-    const pid_t child = ::fork();
-    if (child == 0) {
+    const pid_t child = start_process([] {
         watch_for_stop_signal(test_name().c_str());
         constexpr unsigned kStops = 2000;
         // Signals come to one thread while the other changes what they press.
@@ -219,25 +206,20 @@ TEST_CASE("stop signal: none is lost between two targets, and none presses one t
             pressed += target->is_pressed() ? 1 : 0;
         }
         sender.join();
-        ::_exit(stop_signals_seen() == kStops && pressed > 0 ? 0 : 1);
-    }
-    int status = 0;
-    REQUIRE(::waitpid(child, &status, 0) == child);
-    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+        return stop_signals_seen() == kStops && pressed > 0 ? 0 : 1;
+    });
+    CHECK(exit_code_of(child) == 0);
 }
 
 TEST_CASE("stop signal: one that comes while nothing can be stopped stops what comes next") {
-    const pid_t child = ::fork();
-    if (child == 0) {
+    const pid_t child = start_process([] {
         watch_for_stop_signal(test_name().c_str());
         (void)::raise(SIGUSR1);
         StopSwitch next;
         set_stop_target(&next);
         StopSwitch after;
         set_stop_target(&after);
-        ::_exit(next.is_pressed() && !after.is_pressed() && stop_signals_seen() == 1 ? 0 : 1);
-    }
-    int status = 0;
-    REQUIRE(::waitpid(child, &status, 0) == child);
-    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+        return next.is_pressed() && !after.is_pressed() && stop_signals_seen() == 1 ? 0 : 1;
+    });
+    CHECK(exit_code_of(child) == 0);
 }

@@ -1,25 +1,11 @@
 // Two hands whose world, lesson and devices keep no time at all, recorded, and repeated from the record alone.
 #include "runtime/app/told_replay.h"
 
-#include "haptics/device/replay/recorded_traits.h"
-#include "haptics/device/replay/replay_device.h"
-#include "haptics/loop/hands_loop.h"
-#include "haptics/loop/told_rings.h"
 #include "haptics/math/split_mix.h"
-#include "haptics/record/record_writer.h"
 #include "runtime/evidence/replay_check.h"
-#include "tests/support/scripted_device.h"
+#include "tests/unit/runtime/app/two_hands_run.h"
 
-#include <catch2/catch.hpp>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <functional>
-#include <limits>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -33,62 +19,7 @@ HapticPlan make_plan() {
     return plan;
 }
 
-struct Run {
-    Run(Device& first, Device& second)
-        : loops{HapticLoop(make_plan(), first, channels[0]),
-                HapticLoop(make_plan(), second, channels[1])},
-          hands(std::array{HandInRound{&loops[0], &channels[0]},
-                           HandInRound{&loops[1], &channels[1]}}) {
-        for (std::size_t i = 0; i < 2; ++i) {
-            channels[i].record = &rings[i];
-            told[i] = std::make_unique<ToldRings>(channels[i]);
-        }
-    }
-    void keep_told() {
-        for (std::size_t i = 0; i < 2; ++i) {
-            channels[i].told = told[i].get();
-        }
-    }
-    void drain() {
-        for (std::size_t i = 0; i < 2; ++i) {
-            for (RecordRound round; rings[i].pop(round);) {
-                rounds[i].push_back(round);
-            }
-        }
-    }
-    std::array<HapticChannels, 2> channels;
-    std::array<RecordRing, 2> rings;
-    std::array<std::unique_ptr<ToldRings>, 2> told;
-    std::array<HapticLoop, 2> loops;
-    HandsLoop hands;
-    std::array<std::vector<RecordRound>, 2> rounds;
-};
-
-RecordHeader make_header(const ScriptedDevice& device) {
-    RecordHeader header;
-    header.lesson = "springs";
-    header.effects = {"weight", "spring", "brake"};
-    header.more_hands = {{5.0, 0.3, {"weight", "spring", "brake"}}};
-    header.facts.push_back({kClockFact, kRealTime});
-    list_traits(device.traits(), header.facts);
-    return header;
-}
-
-bool same_bits(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-bool same(const RecordSample& a, const RecordSample& b) {
-    for (int i = 0; i < 3; ++i) {
-        if (!same_bits(a.applied_W.force[i], b.applied_W.force[i]) ||
-            !same_bits(a.commanded_W.force[i], b.commanded_W.force[i]) ||
-            !same_bits(a.twist_W.linear[i], b.twist_W.linear[i])) {
-            return false;
-        }
-    }
-    return a.tick == b.tick && same_bits(a.time_s, b.time_s) && a.faults == b.faults &&
-           a.gate == b.gate;
-}
+using Run = TwoHands;
 
 // What goes wrong with a device, when.
 void spoil(int k, ScriptedDevice& device) {
@@ -104,10 +35,13 @@ void spoil(int k, ScriptedDevice& device) {
 Record record_run(std::uint64_t* faults_seen) {
     ScriptedDevice first;
     ScriptedDevice second;
-    auto run = std::make_unique<Run>(first, second);
+    auto run = std::make_unique<Run>(make_plan(), first, second);
     run->keep_told();
     SplitMix chance(7);
-    RecordEncoder encoder(make_header(first));
+    RecordHeader header =
+        make_header(first, {"weight", "spring", "brake"}, {"weight", "spring", "brake"});
+    header.facts.push_back({kClockFact, kRealTime});
+    RecordEncoder encoder(header);
     double now_s = 0.0;
     double lesson_s = 0.0;
     double world_s = 0.0;
@@ -154,15 +88,12 @@ Record record_run(std::uint64_t* faults_seen) {
         }
     }
     encoder.finish();
-    auto record = read_record(encoder.take_bytes());
-    REQUIRE(record);
-    return std::move(*record);
+    return value_of(read_record(encoder.take_bytes()));
 }
 
 }  // namespace
 
-TEST_CASE(
-    "told replay: a run that kept its own time is repeated to the bit from its record alone") {
+TEST_CASE("told replay: a run that kept its own time repeats to the bit from its record alone") {
     std::uint64_t faults_seen = 0;
     const auto whole = std::make_shared<const Record>(record_run(&faults_seen));
     const auto alone = std::make_shared<const Record>(*find_hand(*whole, 1));
@@ -182,7 +113,7 @@ TEST_CASE(
 
     ReplayDevice first(*whole);
     ReplayDevice second(*alone);
-    auto again = std::make_unique<Run>(first, second);
+    auto again = std::make_unique<Run>(make_plan(), first, second);
     std::array<HapticChannels, 2> heard;
     ToldReplay replay({{whole, &again->loops[0], &again->channels[0], &heard[0]},
                        {alone, &again->loops[1], &again->channels[1], &heard[1]}});
@@ -213,7 +144,7 @@ TEST_CASE("told replay: without what was told it is another run") {
     const auto alone = std::make_shared<const Record>(*find_hand(untold, 1));
     ReplayDevice first(*whole);
     ReplayDevice second(*alone);
-    auto again = std::make_unique<Run>(first, second);
+    auto again = std::make_unique<Run>(make_plan(), first, second);
     std::array<HapticChannels, 2> heard;
     ToldReplay replay({{whole, &again->loops[0], &again->channels[0], &heard[0]},
                        {alone, &again->loops[1], &again->channels[1], &heard[1]}});

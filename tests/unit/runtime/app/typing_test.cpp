@@ -1,6 +1,6 @@
 #include "runtime/app/typing.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 using fulcrum::runtime::TypedLine;
 
@@ -26,8 +26,7 @@ TEST_CASE("typing: backspace takes whole characters, also those of several bytes
     CHECK(line.text().empty());
 }
 
-TEST_CASE(
-    "typing: control characters and overlong lines are left out, never a part of a character") {
+TEST_CASE("typing: control characters and overlong lines are left out, no part of a character") {
     TypedLine line;
     line.add("a\nb\tc\x7f");
     CHECK(line.text() == "abc");

@@ -1,32 +1,24 @@
 #include "runtime/app/options.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-#include <vector>
-
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("usage: help of a command is its own part alone") {
     for (const auto& words : {std::vector<std::string>{"run", "--help"}, {"help", "run"}}) {
-        const auto options = parse_options(words);
-        REQUIRE(options);
-        CHECK(options->command == Command::help);
-        const std::string help = usage(options->help_for);
+        const auto options = value_of(parse_options(words));
+        CHECK(options.command == Command::help);
+        const std::string help = usage(options.help_for);
         CHECK(help.starts_with("  fulcrum run LESSON "));
-        CHECK(help.find("--say FILE") != std::string::npos);
-        CHECK(help.find("--voice-speed N") != std::string::npos);
-        CHECK(help.find("fulcrum soak") == std::string::npos);
-        CHECK(help.find("Exit codes") == std::string::npos);
+        check_says(help, {"--say FILE", "--voice-speed N"});
+        check_lacks(help, {"fulcrum soak", "Exit codes"});
     }
     const std::string explain = usage("explain");
-    CHECK(explain.find("fulcrum explain LESSON") != std::string::npos);
-    CHECK(explain.find("fulcrum explain --force T") != std::string::npos);
-    CHECK(explain.find("fulcrum export") == std::string::npos);
-    CHECK(usage("bench").find("--draw FILE.csv") != std::string::npos);
+    check_says(explain, {"fulcrum explain LESSON", "fulcrum explain --force T"});
+    check_lacks(explain, {"fulcrum export"});
+    check_says(usage("bench"), {"--draw FILE.csv"});
     // Without a command, and of the list of lessons, all of it.
     CHECK(usage(parse_options(std::vector<std::string>{"help"})->help_for) == usage());
     CHECK(usage(parse_options(std::vector<std::string>{"--mute", "--help"})->help_for) == usage());
-    CHECK(usage().find("fulcrum soak") != std::string::npos);
+    check_says(usage(), {"fulcrum soak"});
     CHECK_FALSE(parse_options(std::vector<std::string>{"help", "gravity"}));
 }

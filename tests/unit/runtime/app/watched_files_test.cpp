@@ -2,16 +2,11 @@
 
 #include "runtime/app/places.h"
 #include "runtime/scene/description.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <fstream>
-#include <string>
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
@@ -19,17 +14,13 @@ namespace {
 
 // A lesson's folder with a Lua file, a picture and a note that is no part of it.
 struct Folder {
-    fs::path at;
+    ScratchFolder scratch;
+    fs::path at = scratch.path();
     Folder() {
-        std::string pattern = (fs::temp_directory_path() / "fulcrum_watched_XXXXXX").string();
-        at = mkdtemp(pattern.data());
         for (const char* name : {"lesson.lua", "felt.jpg", "notes.txt"}) {
             save(name);
         }
     }
-    ~Folder() { fs::remove_all(at); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
     [[nodiscard]] fs::path file(const std::string& name) const { return at / name; }
     void save(const std::string& name, const std::string& text = "x") const {
         std::ofstream(file(name)) << text;
