@@ -12,9 +12,10 @@ namespace fulcrum {
 
 class ScratchFolder {
   public:
-    /// Among the system's temporary files; throws std::runtime_error where none can be made.
-    ScratchFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "fulcrum-XXXXXX").string();
+    /// Among the system's temporary files, or in another folder; throws std::runtime_error where none can be made.
+    explicit ScratchFolder(
+        const std::filesystem::path& above = std::filesystem::temp_directory_path()) {
+        std::string pattern = (above / "fulcrum-XXXXXX").string();
         if (mkdtemp(pattern.data()) == nullptr) {
             throw std::runtime_error(pattern + ": no folder can be made there");
         }

@@ -1,19 +1,10 @@
 #include "runtime/evidence/record_csv.h"
 
 #include "haptics/record/record_writer.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/support/csv_reader.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <sstream>
-#include <vector>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 namespace fs = std::filesystem;
 
 namespace {
@@ -46,35 +37,8 @@ std::string text_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// RFC 4180 read by another hand than the writer's.
-std::vector<std::vector<std::string>> read_csv(const std::string& text) {
-    std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted) {
-            if (c != '"') {
-                rows.back().back() += c;
-            } else if (i + 1 < text.size() && text[i + 1] == '"') {
-                rows.back().back() += '"';
-                ++i;
-            } else {
-                quoted = false;
-            }
-        } else if (c == '"') {
-            quoted = true;
-        } else if (c == ',') {
-            rows.back().emplace_back();
-        } else if (c == '\r') {
-            REQUIRE(text.at(++i) == '\n');
-            rows.emplace_back(1);
-        } else {
-            rows.back().back() += c;
-        }
-    }
-    REQUIRE(rows.back() == std::vector<std::string>(1));
-    rows.pop_back();
-    return rows;
+std::vector<std::vector<std::string>> read_table(const std::string& text) {
+    return value_of(parse_csv(text));
 }
 
 double number(const std::string& text) {
@@ -83,13 +47,12 @@ double number(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE(
-    "record csv: every row has the header's cells, and every number is read again to the bit") {
+TEST_CASE("record csv: every row has the header's cells, every number is read again to the bit") {
     const ScratchFolder folder;
     const Record record = make_record(5);
     const fs::path file = folder.path() / "run.csv";
     REQUIRE(export_record(record, file));
-    const auto rows = read_csv(text_of(file));
+    const auto rows = read_table(text_of(file));
     REQUIRE(rows.size() == 6);
     for (const auto& row : rows) {
         CHECK(row.size() == 16 + 12 + 4 + 12);
@@ -114,35 +77,32 @@ TEST_CASE(
 TEST_CASE("record csv: events, bodies and facts stand beside, and no learner writes a formula") {
     const ScratchFolder folder;
     REQUIRE(export_record(make_record(1), folder.path() / "run.csv"));
-    const auto events = read_csv(text_of(folder.path() / "run.events.csv"));
+    const auto events = read_table(text_of(folder.path() / "run.events.csv"));
     REQUIRE(events.size() == 3);
     CHECK(events[1] == std::vector<std::string>{"0.5", "answered", "", "'=1+1, \"he\" said"});
     CHECK(events[2][2] == "apple");
-    const auto bodies = read_csv(text_of(folder.path() / "run.bodies.csv"));
+    const auto bodies = read_table(text_of(folder.path() / "run.bodies.csv"));
     REQUIRE(bodies.size() == 2);
     CHECK((bodies[1][1] == "apple" && bodies[1][2] == "held" && bodies[1][5] == "3"));
     CHECK(bodies[1].size() == bodies[0].size());
-    const auto facts = read_csv(text_of(folder.path() / "run.facts.csv"));
+    const auto facts = read_table(text_of(folder.path() / "run.facts.csv"));
     CHECK(facts[1] == std::vector<std::string>{"option.seed", "1"});
 }
 
-TEST_CASE(
-    "record csv: what cannot be written or is stopped leaves nothing, and what was there stays") {
+TEST_CASE("record csv: what is stopped leaves nothing, and what was there stays") {
     const ScratchFolder folder;
     const fs::path file = folder.path() / "run.csv";
-    const auto stopped =
-        export_record(make_record(5000), file, [](double share) { return share < 0.5; });
-    REQUIRE_FALSE(stopped);
-    CHECK(stopped.error().message.find("stopped") != std::string::npos);
+    check_says(
+        error_of(export_record(make_record(5000), file, [](double share) { return share < 0.5; }))
+            .message,
+        {"stopped"});
     CHECK(fs::is_empty(folder.path()));
     std::ofstream(file) << "mine";
     CHECK_FALSE(export_record(make_record(5000), file, [](double) { return false; }));
     CHECK(text_of(file) == "mine");
     // A folder in the last table's way: none of the others takes its place.
     fs::create_directory(folder.path() / "run.facts.csv");
-    const auto barred = export_record(make_record(5), file);
-    REQUIRE_FALSE(barred);
-    CHECK(barred.error().message.find("it is a folder") != std::string::npos);
+    check_says(error_of(export_record(make_record(5), file)).message, {"it is a folder"});
     CHECK(text_of(file) == "mine");
     CHECK_FALSE(fs::exists(folder.path() / "run.events.csv"));
     CHECK_FALSE(fs::exists(folder.path() / "run.csv.part"));

@@ -1,14 +1,8 @@
 #include "runtime/evidence/record_words.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <set>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("record words: a declared force has the lesson's name, one that has none its number") {
     LessonDescription lesson;

@@ -1,13 +1,8 @@
 #include "runtime/evidence/replay_check.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cmath>
-#include <functional>
-#include <limits>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -73,8 +68,7 @@ std::string why(const char* name, const char* value) {
 
 }  // namespace
 
-TEST_CASE(
-    "replay check: the same rounds are the same, and rounds beyond the record are not compared") {
+TEST_CASE("replay check: the same rounds are the same; those beyond the record do not count") {
     ReplayCheck check = play([](RecordRound&) {});
     check.take(make_round(kRounds));
     CHECK(check.report().same());
@@ -106,8 +100,7 @@ TEST_CASE("replay check: one bit is enough, also of a zero's sign and of what is
     CHECK(check.report().same());
 }
 
-TEST_CASE(
-    "replay check: what differs first in a round is what is named, with when and by how much") {
+TEST_CASE("replay check: what differs first in a round is named, with when and by how much") {
     const ReplayCheck weight = play([](RecordRound& r) {
         r.shares.each_W[1].force.y() = -1.5;
         r.sample.commanded_W.force.y() = -1.5;
@@ -127,7 +120,7 @@ TEST_CASE(
     const ReplayCheck unfelt = play([](RecordRound& r) { r.shares.each_W[0].torque.z() = 0.25; });
     CHECK(unfelt.report().effect == "contact");
     CHECK(unfelt.report().n_different == 0);
-    CHECK(unfelt.sentence().find("0.25 Nm where it was 0 Nm") != std::string::npos);
+    check_says(unfelt.sentence(), {"0.25 Nm where it was 0 Nm"});
     CHECK(play([](RecordRound& r) { r.sample.commanded_W.force.x() += 1.0; }).report().first ==
           Difference::commanded);
     CHECK(play([](RecordRound& r) { r.sample.applied_W.torque.x() += 1.0; }).report().first ==
@@ -167,8 +160,8 @@ TEST_CASE("replay check: the headers say why") {
         fact.value += "x";
     }
     // What follows from something else is not told beside it.
-    CHECK(explain_difference(make_header(), now).find("plan") == std::string::npos);
-    CHECK(explain_difference(make_header(), now).find("; limits differ") != std::string::npos);
+    check_lacks(explain_difference(make_header(), now), {"plan"});
+    check_says(explain_difference(make_header(), now), {"; limits differ"});
     // Many of a kind are counted, and what stands in one of them alone is no difference.
     RecordHeader was;
     RecordHeader is;
@@ -186,7 +179,7 @@ TEST_CASE("replay check: the headers say why") {
     RecordRound other = make_round(1);
     other.sample.applied_W.force.x() += 1.0;
     old.take(other);
-    CHECK(old.sentence().find("earlier version") != std::string::npos);
+    check_says(old.sentence(), {"earlier version"});
 }
 
 namespace {
@@ -218,8 +211,7 @@ bool says(const ReplayCheck& check, const char* words) {
 
 }  // namespace
 
-TEST_CASE(
-    "replay check: of a run in real time it says what the record told, and what it could not") {
+TEST_CASE("replay check: of a run in real time it says what the record told, and what not") {
     const ReplayCheck same = play_real_time([](Record&) {});
     CHECK(same.report().same());
     CHECK(says(same, "what lesson and world said in each round was taken from the record."));

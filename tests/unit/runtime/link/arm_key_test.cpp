@@ -1,23 +1,12 @@
 #include "runtime/link/arm_key.h"
 
-#include "tests/support/scratch_folder.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <array>
 #include <atomic>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
-#include <string>
 #include <sys/stat.h>
 #include <thread>
-#include <vector>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -31,15 +20,13 @@ void write_key(const std::filesystem::path& file, const std::string& text, mode_
 TEST_CASE("arm key: made where it is missing, for its owner alone, and the same the next time") {
     const ScratchFolder folder;
     const auto file = folder.path() / "own" / "arm.key";
-    const auto made = load_or_make_arm_key(file);
-    REQUIRE(made);
+    const auto made = value_of(load_or_make_arm_key(file));
     struct stat about {};
     REQUIRE(::stat(file.c_str(), &about) == 0);
     CHECK((about.st_mode & 0777) == 0600);
     CHECK(about.st_size == 65);
-    const auto again = load_or_make_arm_key(file);
-    REQUIRE(again);
-    CHECK(*again == *made);
+    const auto again = value_of(load_or_make_arm_key(file));
+    CHECK(again == made);
 }
 
 TEST_CASE("arm key: many who make it at once all end with the same one") {
@@ -63,11 +50,10 @@ TEST_CASE("arm key: many who make it at once all end with the same one") {
         for (std::thread& program : programs) {
             program.join();
         }
-        const auto last = load_or_make_arm_key(file);
-        REQUIRE(last);
+        const auto last = value_of(load_or_make_arm_key(file));
         for (const std::optional<ArmKey>& key : keys) {
             REQUIRE(key);
-            CHECK(*key == *last);
+            CHECK(*key == last);
         }
         // Nothing unfinished is left beside it.
         CHECK(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}) == 1);
@@ -80,16 +66,14 @@ TEST_CASE("arm key: 64 figures, with or without a line's end") {
     const std::string figures = "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f";
     for (const std::string& text : {figures, figures + "\n"}) {
         write_key(file, text);
-        const auto key = load_or_make_arm_key(file);
-        REQUIRE(key);
-        for (std::size_t i = 0; i < key->size(); ++i) {
-            CHECK(std::to_integer<std::size_t>((*key)[i]) == i);
+        const auto key = value_of(load_or_make_arm_key(file));
+        for (std::size_t i = 0; i < key.size(); ++i) {
+            CHECK(std::to_integer<std::size_t>(key[i]) == i);
         }
     }
 }
 
-TEST_CASE(
-    "arm key: what is none, or is no secret, is refused with its file's name and left as it is") {
+TEST_CASE("arm key: what is none, or no secret, is refused with its file, and left as it is") {
     const ScratchFolder folder;
     const auto file = folder.path() / "arm.key";
     const std::string figures(64, 'a');
@@ -97,15 +81,11 @@ TEST_CASE(
          {std::string(), std::string("x"), figures.substr(1), figures + "a", figures + "\n\n",
           figures.substr(1) + "g", figures.substr(1) + "A", std::string(100'000, 'a')}) {
         write_key(file, text);
-        const auto key = load_or_make_arm_key(file);
-        REQUIRE_FALSE(key);
-        CHECK(key.error().where == file.string());
+        CHECK(error_of(load_or_make_arm_key(file)).where == file.string());
         CHECK(std::filesystem::file_size(file) == text.size());
     }
     for (const mode_t mode : {0640, 0604, 0660}) {
         write_key(file, figures, mode);
-        const auto key = load_or_make_arm_key(file);
-        REQUIRE_FALSE(key);
-        CHECK(key.error().what_to_do.find("chmod 600") != std::string::npos);
+        check_says(error_of(load_or_make_arm_key(file)).what_to_do, {"chmod 600"});
     }
 }

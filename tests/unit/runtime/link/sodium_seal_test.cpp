@@ -2,14 +2,9 @@
 
 #include "haptics/base/sha256.h"
 #include "tests/support/link.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <set>
-#include <string_view>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

@@ -1,14 +1,11 @@
 #include "runtime/link/udp_socket.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <array>
 #include <chrono>
-#include <string>
 #include <thread>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -26,13 +23,11 @@ std::size_t receive_soon(UdpSocket& socket, std::span<std::byte> packet, PeerAdd
 }  // namespace
 
 TEST_CASE("udp socket: HOST:PORT is read, and what is none gets a sentence") {
-    const auto plain = parse_host_port("localhost:4701");
-    REQUIRE(plain);
-    CHECK(plain->host == "localhost");
-    CHECK(plain->port == 4701);
-    const auto six = parse_host_port("[::1]:80");
-    REQUIRE(six);
-    CHECK(six->host == "::1");
+    const auto plain = value_of(parse_host_port("localhost:4701"));
+    CHECK(plain.host == "localhost");
+    CHECK(plain.port == 4701);
+    const auto six = value_of(parse_host_port("[::1]:80"));
+    CHECK(six.host == "::1");
     for (const char* const bad :
          {"", ":", "localhost", "localhost:", ":4701", "localhost:0", "localhost:65536",
           "localhost:x", "localhost:12x", "::1:80", "[]:80"}) {
@@ -42,103 +37,88 @@ TEST_CASE("udp socket: HOST:PORT is read, and what is none gets a sentence") {
 }
 
 TEST_CASE("udp socket: packets go there and back, with whom they are from") {
-    const auto arm = UdpSocket::listen({"127.0.0.1", 0});
-    REQUIRE(arm);
-    REQUIRE((*arm)->port() != 0);
-    const auto program = UdpSocket::connect({"127.0.0.1", (*arm)->port()});
-    REQUIRE(program);
+    const auto arm = value_of(UdpSocket::listen({"127.0.0.1", 0}));
+    REQUIRE(arm->port() != 0);
+    const auto program = value_of(UdpSocket::connect({"127.0.0.1", arm->port()}));
     std::array<std::byte, 8> packet{};
     PeerAddress from;
-    CHECK((*arm)->receive(0.0, packet, from) == 0);
+    CHECK(arm->receive(0.0, packet, from) == 0);
     const std::array<std::byte, 4> sent{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4}};
-    CHECK((*program)->send(0.0, {}, sent));
-    REQUIRE(receive_soon(**arm, packet, from) == 4);
+    CHECK(program->send(0.0, {}, sent));
+    REQUIRE(receive_soon(*arm, packet, from) == 4);
     CHECK(packet[3] == std::byte{4});
     CHECK(from.size > 0);
-    CHECK((*arm)->send(0.0, from, sent));
+    CHECK(arm->send(0.0, from, sent));
     PeerAddress back;
-    REQUIRE(receive_soon(**program, packet, back) == 4);
+    REQUIRE(receive_soon(*program, packet, back) == 4);
     // The same peer has the same address each time; to nobody nothing goes.
     PeerAddress again;
-    CHECK((*program)->send(0.0, {}, sent));
-    REQUIRE(receive_soon(**arm, packet, again) == 4);
+    CHECK(program->send(0.0, {}, sent));
+    REQUIRE(receive_soon(*arm, packet, again) == 4);
     CHECK(again == from);
-    CHECK_FALSE((*arm)->send(0.0, {}, sent));
+    CHECK_FALSE(arm->send(0.0, {}, sent));
 }
 
 TEST_CASE("udp socket: a packet that is longer than there is room tells its whole size") {
-    const auto arm = UdpSocket::listen({"127.0.0.1", 0});
-    REQUIRE(arm);
-    const auto program = UdpSocket::connect({"127.0.0.1", (*arm)->port()});
-    REQUIRE(program);
+    const auto arm = value_of(UdpSocket::listen({"127.0.0.1", 0}));
+    const auto program = value_of(UdpSocket::connect({"127.0.0.1", arm->port()}));
     const std::array<std::byte, 600> sent{};
-    CHECK((*program)->send(0.0, {}, sent));
+    CHECK(program->send(0.0, {}, sent));
     std::array<std::byte, 8> packet{};
     PeerAddress from;
-    CHECK(receive_soon(**arm, packet, from) == 600);
+    CHECK(receive_soon(*arm, packet, from) == 600);
 }
 
 TEST_CASE("udp socket: nobody there is no error, and who comes later is heard") {
     std::uint16_t port = 0;
     {
-        const auto gone = UdpSocket::listen({"127.0.0.1", 0});
-        REQUIRE(gone);
-        port = (*gone)->port();
+        const auto gone = value_of(UdpSocket::listen({"127.0.0.1", 0}));
+        port = gone->port();
     }
-    const auto program = UdpSocket::connect({"127.0.0.1", port});
-    REQUIRE(program);
+    const auto program = value_of(UdpSocket::connect({"127.0.0.1", port}));
     std::array<std::byte, 8> packet{};
     PeerAddress from;
     for (int i = 0; i < 20; ++i) {
-        (void)(*program)->send(0.0, {}, packet);
-        CHECK((*program)->receive(0.0, packet, from) == 0);
+        (void)program->send(0.0, {}, packet);
+        CHECK(program->receive(0.0, packet, from) == 0);
     }
-    const auto arm = UdpSocket::listen({"127.0.0.1", port});
-    REQUIRE(arm);
+    const auto arm = value_of(UdpSocket::listen({"127.0.0.1", port}));
     // The first may still meet the error of the one before.
-    (void)(*program)->send(0.0, {}, packet);
-    (void)(*program)->send(0.0, {}, packet);
-    CHECK(receive_soon(**arm, packet, from) == 8);
+    (void)program->send(0.0, {}, packet);
+    (void)program->send(0.0, {}, packet);
+    CHECK(receive_soon(*arm, packet, from) == 8);
 }
 
 TEST_CASE("udp socket: a port that is taken and a computer that nobody knows are one sentence") {
-    const auto first = UdpSocket::listen({"127.0.0.1", 0});
-    REQUIRE(first);
-    const auto second = UdpSocket::listen({"127.0.0.1", (*first)->port()});
-    REQUIRE_FALSE(second);
-    CHECK(second.error().what_to_do.find("--port") != std::string::npos);
-    const auto nowhere = UdpSocket::connect({"no such computer", 4701});
-    REQUIRE_FALSE(nowhere);
-    CHECK(nowhere.error().where == "no such computer:4701");
+    const auto first = value_of(UdpSocket::listen({"127.0.0.1", 0}));
+    check_says(error_of(UdpSocket::listen({"127.0.0.1", first->port()})).what_to_do, {"--port"});
+    CHECK(error_of(UdpSocket::connect({"no such computer", 4701})).where ==
+          "no such computer:4701");
 }
 
-TEST_CASE(
-    "udp socket: a port where nothing waits is told by its computer, one that is silent not") {
+TEST_CASE("udp socket: a port where nothing waits is told by its computer, a silent one not") {
     std::uint16_t port = 0;
     {
-        const auto silent = UdpSocket::listen({"127.0.0.1", 0});
-        REQUIRE(silent);
-        port = (*silent)->port();
-        const auto program = UdpSocket::connect({"127.0.0.1", port});
-        REQUIRE(program);
+        const auto silent = value_of(UdpSocket::listen({"127.0.0.1", 0}));
+        port = silent->port();
+        const auto program = value_of(UdpSocket::connect({"127.0.0.1", port}));
         std::array<std::byte, 8> packet{};
         PeerAddress from;
-        CHECK((*program)->send(0.0, {}, packet));
-        CHECK((*program)->receive(0.0, packet, from) == 0);
-        CHECK_FALSE((*program)->was_refused());
+        CHECK(program->send(0.0, {}, packet));
+        CHECK(program->receive(0.0, packet, from) == 0);
+        CHECK_FALSE(program->was_refused());
     }
     for (const bool sends_again : {false, true}) {
-        const auto program = UdpSocket::connect({"127.0.0.1", port});
-        REQUIRE(program);
+        const auto program = value_of(UdpSocket::connect({"127.0.0.1", port}));
         std::array<std::byte, 8> packet{};
         PeerAddress from;
-        CHECK((*program)->send(0.0, {}, packet));
+        CHECK(program->send(0.0, {}, packet));
         // The answer comes with the next call, whichever that is.
         if (sends_again) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            CHECK_FALSE((*program)->send(0.0, {}, packet));
+            CHECK_FALSE(program->send(0.0, {}, packet));
         }
-        CHECK((*program)->receive(0.0, packet, from) == 0);
-        CHECK((*program)->was_refused());
+        CHECK(program->receive(0.0, packet, from) == 0);
+        CHECK(program->was_refused());
     }
 }

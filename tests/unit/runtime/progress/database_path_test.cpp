@@ -2,14 +2,12 @@
 #include "runtime/progress/database_path.h"
 
 #include "tests/unit/runtime/progress/progress_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cstdlib>
-#include <optional>
 #include <sys/stat.h>
 
-namespace fulcrum::runtime {
+using namespace fulcrum::runtime::test;
+
 namespace {
 
 // Sets a variable of the environment, or takes it away, and puts it back at the end.
@@ -29,6 +27,8 @@ class Variable {
     const char* name_;
     std::optional<std::string> old_;
 };
+
+}  // namespace
 
 TEST_CASE("database path: XDG_DATA_HOME, else the home folder; relative ones don't count") {
     const Variable home("HOME", "/pupils/mina");
@@ -50,7 +50,7 @@ TEST_CASE("database path: XDG_DATA_HOME, else the home folder; relative ones don
 }
 
 TEST_CASE("database path: the file and its folders are private, and what exists is left alone") {
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string path = folder.file("a/b/progress.db");
     REQUIRE(create_private_file(path));
     struct stat status {};
@@ -58,10 +58,7 @@ TEST_CASE("database path: the file and its folders are private, and what exists 
     CHECK((status.st_mode & 0777U) == 0600);
     REQUIRE(stat(folder.file("a").c_str(), &status) == 0);
     CHECK((status.st_mode & 0777U) == 0700);
-    test::write_bytes(path, "kept");
+    write_bytes(path, "kept");
     REQUIRE(create_private_file(path));
-    CHECK(test::bytes_of(path) == "kept");
+    CHECK(bytes_of(path) == "kept");
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

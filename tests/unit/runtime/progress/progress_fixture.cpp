@@ -4,34 +4,18 @@
 
 #include <sqlite3.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <unistd.h>
 
 namespace fulcrum::runtime::test {
 
-TemporaryFolder::TemporaryFolder(On on) {
-    std::filesystem::path above = "/dev/shm";
-    if (on == On::disk || access(above.c_str(), W_OK) != 0) {
-        above = std::filesystem::temp_directory_path();
-    }
-    std::string name = (above / "fulcrum-progress-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder");
-    }
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
+TemporaryFolder::TemporaryFolder(On on)
+    : ScratchFolder(on == On::memory && access("/dev/shm", W_OK) == 0
+                        ? std::filesystem::path("/dev/shm")
+                        : std::filesystem::temp_directory_path()) {}
 
 std::size_t TemporaryFolder::entries() const {
-    const std::filesystem::directory_iterator files(path_);
+    const std::filesystem::directory_iterator files(path());
     return static_cast<std::size_t>(std::distance(begin(files), end(files)));
 }
 

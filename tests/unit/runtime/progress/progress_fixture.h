@@ -3,29 +3,17 @@
 #pragma once
 
 #include "runtime/progress/sqlite/sqlite_store.h"
-
-#include <cstdint>
-#include <memory>
-#include <string>
+#include "tests/unit/runtime/rig.h"
 
 namespace fulcrum::runtime::test {
 
 /// A new folder, removed with all that is in it.
-class TemporaryFolder {
-  public:
+struct TemporaryFolder : ScratchFolder {
     /// In memory, where there is such a place, it is quick: for tests that play the disk themselves.
     enum class On : std::uint8_t { disk, memory };
     explicit TemporaryFolder(On on = On::disk);
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder();
-    [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
-    [[nodiscard]] const std::string& path() const noexcept { return path_; }
     /// Files and folders that lie directly in it.
     [[nodiscard]] std::size_t entries() const;
-
-  private:
-    std::string path_;
 };
 
 /// A database with the learner "Mina", who has begun the lesson "gravity".
@@ -35,6 +23,14 @@ struct Classroom {
     std::unique_ptr<ProgressStore> store;
     Learner learner;
     SessionRecord session;
+};
+
+/// The same, in a folder that goes with it.
+struct OwnFolder {
+    TemporaryFolder folder;
+};
+struct OwnClassroom : private OwnFolder, public Classroom {
+    OwnClassroom() : Classroom(folder.file("progress.db")) {}
 };
 
 /// An attempt with a new id and form as right as its meaning.

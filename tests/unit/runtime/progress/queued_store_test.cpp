@@ -2,17 +2,12 @@
 
 #include "runtime/progress/sqlite/sqlite_store.h"
 #include "tests/unit/runtime/progress/progress_fixture.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/progress/test_store.h"
+#include "tests/unit/runtime/rig.h"
 
 #include <condition_variable>
-#include <limits>
 #include <mutex>
-#include <string>
-#include <vector>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 namespace {
@@ -44,42 +39,24 @@ struct Disk {
     }
 };
 
-class DiskStore final : public ProgressStore {
+class DiskStore final : public TestStore {
   public:
     explicit DiskStore(Disk& disk) : disk_(disk) {}
-    [[nodiscard]] bool keeps() const noexcept override { return true; }
-    [[nodiscard]] Expected<Learner> enrol(std::string_view nickname) override {
-        (void)write("enrol");
-        return Learner{random_record_id(), std::string(nickname), 1};
-    }
-    [[nodiscard]] Expected<void> add_learner(const Learner&) override { return write("learner"); }
-    [[nodiscard]] Expected<void> begin_session(const SessionRecord&) override {
-        return write("session");
-    }
-    [[nodiscard]] Expected<void> add_setting(const SessionSetting&) override {
-        return write("setting");
-    }
-    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting& setting) override {
-        return write(setting.name);
-    }
-    [[nodiscard]] Expected<void> end_session(const SessionEnd&) override { return write("end"); }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
-        const Expected<void> written = write(attempt.question);
-        if (written) {
+        return begin_write(attempt.question).map([&] {
             const std::lock_guard lock(disk_.mutex);
             disk_.attempts.push_back(attempt);
-        }
-        return written;
+        });
     }
-    [[nodiscard]] Expected<ProgressData> read(const ProgressFilter&) override {
+    [[nodiscard]] Expected<ProgressData> read(const ProgressFilter& /*filter*/) override {
         const std::lock_guard lock(disk_.mutex);
-        ProgressData data;
-        data.attempts = disk_.attempts;
-        return data;
+        ProgressData kept;
+        kept.attempts = disk_.attempts;
+        return kept;
     }
 
-  private:
-    Expected<void> write(const std::string& what) {
+  protected:
+    Expected<void> begin_write(const std::string& what) override {
         std::unique_lock lock(disk_.mutex);
         ++disk_.begun;
         disk_.moved.notify_all();
@@ -92,6 +69,7 @@ class DiskStore final : public ProgressStore {
         return {};
     }
 
+  private:
     Disk& disk_;
 };
 
@@ -103,23 +81,24 @@ AttemptRecord numbered(int number) {
     return attempt_for(random_record_id(), "q" + std::to_string(number), 1, true);
 }
 
+void add(QueuedStore& store, int from, int to) {
+    for (int i = from; i < to; ++i) {
+        REQUIRE(store.add_attempt(numbered(i)));
+    }
+}
+
 constexpr double kWhile_s = 60.0;  // longer than any machine hesitates
 
 }  // namespace
 
-TEST_CASE(
-    "queued store: a write is taken in while the disk stands still, and is kept once it moves") {
+TEST_CASE("queued store: a write is taken while the disk stands still, and kept once it moves") {
     Disk disk;
     disk.hold();
     const auto store = on(disk);
-    for (int i = 0; i < 5; ++i) {
-        REQUIRE(store->add_attempt(numbered(i)));  // would wait for ever if it waited for the disk
-    }
+    add(*store, 0, 5);
     CHECK(store->status().taken == 5);
     CHECK(store->status().kept == 0);  // nothing is called kept before it is
-    const auto settled = store->settle(0.0);
-    REQUIRE_FALSE(settled);
-    CHECK(to_sentence(settled.error()).find("5 records") != std::string::npos);
+    check_says(refusal_of(store->settle(0.0)), {"5 records"});
     disk.let_go();
     REQUIRE(store->settle(kWhile_s));
     CHECK(store->status().kept == 5);
@@ -154,42 +133,34 @@ TEST_CASE("queued store: the order of the writes is the order of the calls") {
     CHECK(disk.order == order);
 }
 
-TEST_CASE(
-    "queued store: a refusal is tried again at once, then told once; the next ones are kept") {
+TEST_CASE("queued store: a refusal is tried again, then told once; the next ones are kept") {
     Disk disk;
     const auto store = on(disk);
     disk.refusals = 1;
-    REQUIRE(store->add_attempt(numbered(0)));
+    add(*store, 0, 1);
     REQUIRE(store->settle(kWhile_s));
     CHECK(disk.order == std::vector<std::string>{"q0", "q0"});
     CHECK_FALSE(store->take_trouble());
 
     disk.refusals = 2;
-    REQUIRE(store->add_attempt(numbered(1)));
-    REQUIRE(store->add_attempt(numbered(2)));
+    add(*store, 1, 3);
     REQUIRE(store->settle(kWhile_s));
-    const auto trouble = store->take_trouble();
-    REQUIRE(trouble);
-    CHECK(trouble->message == "the disk is full");
+    const auto trouble = value_of(store->take_trouble());
+    CHECK(trouble.message == "the disk is full");
     CHECK_FALSE(store->take_trouble());
     CHECK(store->status().kept == 2);
     CHECK(store->status().refused == 1);
     CHECK(disk.attempts.back().question == "q2");
 }
 
-TEST_CASE(
-    "queued store: a full queue refuses in one sentence, and takes in again when there is room") {
+TEST_CASE("queued store: a full queue refuses in one sentence, and takes again with room") {
     Disk disk;
     disk.hold();
     QueuedStoreSettings settings;
     settings.capacity = 3;
     const auto store = on(disk, settings);
-    for (int i = 0; i < 3; ++i) {
-        REQUIRE(store->add_attempt(numbered(i)));
-    }
-    const auto refused = store->add_attempt(numbered(3));
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("3 records") != std::string::npos);
+    add(*store, 0, 3);
+    check_says(refusal_of(store->add_attempt(numbered(3))), {"3 records"});
     CHECK(store->status().taken == 3);
     disk.let_go();
     REQUIRE(store->settle(kWhile_s));
@@ -212,15 +183,12 @@ TEST_CASE("queued store: what can never be kept is refused at once and does not 
     CHECK(disk.begun == 0);
 }
 
-TEST_CASE(
-    "queued store: reading and enrolling come after what was taken in, or say that they cannot") {
+TEST_CASE("queued store: reading and enrolling come after what was taken, or say they cannot") {
     Disk disk;
     QueuedStoreSettings settings;
     settings.patience_s = kWhile_s;
     auto store = on(disk, settings);
-    for (int i = 0; i < 20; ++i) {
-        REQUIRE(store->add_attempt(numbered(i)));
-    }
+    add(*store, 0, 20);
     CHECK(store->read({})->attempts.size() == 20);
     CHECK(store->enrol("Mina")->nickname == "Mina");
 
@@ -228,7 +196,7 @@ TEST_CASE(
     Disk stuck;
     stuck.hold();
     const auto waiting = on(stuck, settings);
-    REQUIRE(waiting->add_attempt(numbered(0)));
+    add(*waiting, 0, 1);
     CHECK_FALSE(waiting->read({}));
     CHECK_FALSE(waiting->enrol("Mina"));
     stuck.let_go();
@@ -239,9 +207,7 @@ TEST_CASE("queued store: its end waits for what was taken in, and no longer than
     QueuedStoreSettings settings;
     settings.patience_s = kWhile_s;
     auto store = on(disk, settings);
-    for (int i = 0; i < 50; ++i) {
-        REQUIRE(store->add_attempt(numbered(i)));
-    }
+    add(*store, 0, 50);
     store.reset();
     CHECK(disk.attempts.size() == 50);
 
@@ -249,9 +215,7 @@ TEST_CASE("queued store: its end waits for what was taken in, and no longer than
     settings.patience_s = std::numeric_limits<double>::quiet_NaN();
     disk.hold();
     auto hasty = on(disk, settings);
-    for (int i = 0; i < 50; ++i) {
-        REQUIRE(hasty->add_attempt(numbered(i)));
-    }
+    add(*hasty, 0, 50);
     disk.await_write(51);
     std::thread ending([&] { hasty.reset(); });
     std::this_thread::yield();
@@ -279,10 +243,9 @@ TEST_CASE("queued store: before sqlite everything is kept once, also when it is 
             other));  // the same id with other content: told, and nothing is changed
         REQUIRE(store.settle(kWhile_s));
         CHECK(store.take_trouble());
-        const auto data = store.read({});
-        REQUIRE(data);
-        REQUIRE(data->attempts.size() == 1);
-        CHECK(data->attempts[0] == attempt);
+        const auto data = value_of(store.read({}));
+        REQUIRE(data.attempts.size() == 1);
+        CHECK(data.attempts[0] == attempt);
     }
     CHECK(query(classroom.path, "SELECT count(*) FROM attempt") == "1");
 }

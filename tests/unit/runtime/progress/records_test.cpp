@@ -2,18 +2,9 @@
 #include "runtime/progress/records.h"
 
 #include "tests/unit/runtime/progress/progress_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <limits>
-
-namespace fulcrum::runtime {
-namespace {
-
-using test::attempt_for;
-using test::Classroom;
-using test::error_text;
-using test::TemporaryFolder;
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("record ids: 32 hexadecimal digits, no two alike, every digit varies") {
     RecordId changed(32, '0');
@@ -36,14 +27,12 @@ TEST_CASE("record ids: 32 hexadecimal digits, no two alike, every digit varies")
 }
 
 TEST_CASE("store: bad records are refused in one sentence by either store") {
-    const TemporaryFolder folder;
-    Classroom room(folder.file("progress.db"));
+    OwnClassroom room;
     const auto null_store = make_null_store();
     CHECK_FALSE(null_store->keeps());
     for (ProgressStore* store : {room.store.get(), null_store.get()}) {
         AttemptRecord attempt = attempt_for(room.session.id, "heaviest", 0, true);
-        CHECK(error_text(store->add_attempt(attempt)).find("count attempts from 1") !=
-              std::string::npos);
+        check_says(error_text(store->add_attempt(attempt)), {"count attempts from 1"});
         attempt.attempt = 1;
         attempt.answer_s = std::numeric_limits<double>::quiet_NaN();
         CHECK_FALSE(store->add_attempt(attempt));
@@ -64,8 +53,7 @@ TEST_CASE("store: bad records are refused in one sentence by either store") {
         for (const bool of_target : {false, true}) {
             attempt.form_right = !of_target;
             attempt.target_right = of_target;
-            CHECK(error_text(store->add_attempt(attempt)).find("a form that nobody heard") !=
-                  std::string::npos);
+            check_says(error_text(store->add_attempt(attempt)), {"a form that nobody heard"});
         }
         attempt.target_right = false;
         attempt.errors = {{"M:DET", "", "the"}};
@@ -88,6 +76,3 @@ TEST_CASE("store: bad records are refused in one sentence by either store") {
     }
     CHECK(room.store->read({})->attempts.empty());
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

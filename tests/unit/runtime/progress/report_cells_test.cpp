@@ -1,14 +1,11 @@
 // How values are written in a report.
 #include "runtime/progress/report_cells.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
-#include <cstdlib>
 #include <ctime>
-#include <limits>
 
-namespace fulcrum::runtime {
-namespace {
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("report cells: times say their offset, in UTC and in the computer's zone") {
     CHECK(time_cell(0, {.utc = true}) == "1970-01-01 00:00 +0000");
@@ -76,6 +73,3 @@ TEST_CASE("report cells: four marks in words, and none of a form that was never 
     CHECK(marks_of(question) == "meaning 3 of 5, form not judged, confidence 0.87");
     CHECK(confidence_cell(1.0) == "1.00");
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

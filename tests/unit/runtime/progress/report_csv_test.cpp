@@ -1,20 +1,14 @@
 // The report as a spreadsheet reads it: the numbers of the screen, and nothing that it would run.
 #include "runtime/progress/report.h"
-#include "tests/unit/runtime/progress/csv_reader.h"
+#include "tests/support/csv_reader.h"
 #include "tests/unit/runtime/progress/diary.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <map>
 #include <random>
-#include <sstream>
 
-namespace fulcrum::runtime {
+using namespace fulcrum::runtime::test;
+
 namespace {
-
-using test::Diary;
-using test::kUtc;
 
 // The numbers of each question by "learner|lesson|question", read back from the text.
 std::map<std::string, std::vector<std::string>> numbers_on_screen(const std::string& text) {
@@ -42,6 +36,8 @@ std::map<std::string, std::vector<std::string>> numbers_on_screen(const std::str
     return numbers;
 }
 
+}  // namespace
+
 TEST_CASE("report: the CSV holds the numbers that the screen shows") {
     std::mt19937 random(7);
     const auto pick = [&](int below) {
@@ -64,10 +60,9 @@ TEST_CASE("report: the CSV holds the numbers that the screen shows") {
         }
         const Report report = compute_report(diary.data);
         const auto on_screen = numbers_on_screen(to_text(report, kUtc));
-        const auto rows = test::parse_csv(to_csv(report, kUtc));
-        REQUIRE(rows);
+        const auto rows = value_of(parse_csv(to_csv(report, kUtc)));
         std::size_t compared = 0;
-        for (const auto& row : *rows) {
+        for (const auto& row : rows) {
             if (row[8].empty() || row[8] == "question") {
                 continue;
             }
@@ -88,52 +83,24 @@ TEST_CASE("report: the CSV holds the numbers that the screen shows") {
 TEST_CASE("report: the CSV says when, how well, and with which errors") {
     Diary diary("Mina");
     diary.session("gravity").end(2, 70).answers("heaviest", "WWWF");
-    const auto rows = test::parse_csv(to_csv(compute_report(diary.data), kUtc));
-    REQUIRE(rows);
-    REQUIRE(rows->size() == 2);
-    CHECK((*rows)[1] == std::vector<std::string>{"Mina",
-                                                 "id-of-Mina",
-                                                 "gravity",
-                                                 "1",
-                                                 "1",
-                                                 "2026-03-02 10:15 +0000",
-                                                 "2",
-                                                 "70",
-                                                 "heaviest",
-                                                 "1",
-                                                 "4",
-                                                 "0",
-                                                 "1",
-                                                 "0",
-                                                 "1",
-                                                 "0",
-                                                 "3",
-                                                 "before",
-                                                 "R:ADJ:FORM 1",
-                                                 "\"most heavy\" -> \"heaviest\"",
-                                                 "comparison 1",
-                                                 "comparison 0",
-                                                 "0",
-                                                 "0",
-                                                 "0",
-                                                 "the egg",
-                                                 "1",
-                                                 "4",
-                                                 "3",
-                                                 "0",
-                                                 "1.00"});
+    const auto rows = value_of(parse_csv(to_csv(compute_report(diary.data), kUtc)));
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1] ==
+          value_of(parse_csv("Mina,id-of-Mina,gravity,1,1,2026-03-02 10:15 +0000,2,70,heaviest,1,4,"
+                             "0,1,0,1,0,3,before,R:ADJ:FORM 1,\"\"\"most heavy\"\" -> "
+                             "\"\"heaviest\"\"\",comparison 1,comparison 0,0,0,0,the egg,1,4,3,0,"
+                             "1.00\r\n"))[0]);
     const std::vector<std::string> head{"meaning_right", "target_judged", "target_right",
                                         "other_form_errors", "confidence"};
-    CHECK(std::vector<std::string>((*rows)[0].end() - 5, (*rows)[0].end()) == head);
+    CHECK(std::vector<std::string>(rows[0].end() - 5, rows[0].end()) == head);
     const std::string with_mark = to_csv({}, {.byte_order_mark = true});
     CHECK(with_mark.substr(0, 10) == "\xEF\xBB\xBFlearner");
 }
 
 TEST_CASE("report: without learners the CSV is its header alone") {
-    const auto rows = test::parse_csv(to_csv(compute_report({})));
-    REQUIRE(rows);
-    REQUIRE(rows->size() == 1);
-    CHECK((*rows)[0].size() == 31);
+    const auto rows = value_of(parse_csv(to_csv(compute_report({}))));
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].size() == 31);
 }
 
 TEST_CASE("report: no cell of the CSV is a formula, and every cell is read back whole") {
@@ -144,13 +111,12 @@ TEST_CASE("report: no cell of the CSV is a formula, and every cell is read back 
         diary.session(nasty).answers(nasty, "F");
         diary.data.attempts[0].errors[0].span = nasty;
         const std::string csv = to_csv(compute_report(diary.data), kUtc);
-        const auto rows = test::parse_csv(csv);
-        REQUIRE(rows);
-        REQUIRE(rows->size() == 2);
-        for (const auto& row : *rows) {
+        const auto rows = value_of(parse_csv(csv));
+        REQUIRE(rows.size() == 2);
+        for (const auto& row : rows) {
             REQUIRE(row.size() == 31);
         }
-        const auto& row = (*rows)[1];
+        const auto& row = rows[1];
         CAPTURE(nasty, csv);
         const bool is_formula = nasty.find_first_of("=+-@") < 2 || nasty.substr(0, 3) == "＝";
         const bool is_control = nasty.find_first_of("\t\r") == 0;
@@ -161,6 +127,3 @@ TEST_CASE("report: no cell of the CSV is a formula, and every cell is read back 
         CHECK(row[19] == '"' + nasty + "\" -> \"heaviest\"");
     }
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

@@ -2,14 +2,11 @@
 #include "runtime/progress/report.h"
 
 #include "tests/unit/runtime/progress/diary.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-namespace fulcrum::runtime {
 namespace {
-
-using test::Diary;
-using test::kMorning_utc_ms;
 
 QuestionReport only_question(const Diary& diary) {
     const Report report = compute_report(diary.data);
@@ -18,6 +15,8 @@ QuestionReport only_question(const Diary& diary) {
     REQUIRE(report.learners[0].lessons[0].questions.size() == 1);
     return report.learners[0].lessons[0].questions[0];
 }
+
+}  // namespace
 
 TEST_CASE("report: counts askings, attempts, first and last answers") {
     Diary diary("Mina");
@@ -158,6 +157,3 @@ TEST_CASE("report: a lesson shows how often, when last, and its best end") {
     CHECK(gravity.best_score == 70);
     CHECK(report.learners[0].lessons[1].best_stars == std::nullopt);
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

@@ -1,12 +1,11 @@
 // Nicknames that are taken and refused, and learners' words that are mended.
 #include "runtime/progress/text_rules.h"
 
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <random>
 
-namespace fulcrum::runtime {
-namespace {
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("nickname: 1 to 40 characters of any script, without blanks at its ends") {
     CHECK(checked_nickname("Mina") == "Mina");
@@ -95,6 +94,3 @@ TEST_CASE("display width: Korean is two columns, accents none") {
     CHECK(display_width("e\u0301") == 1);
     CHECK(display_width("🍉") == 2);
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

@@ -2,20 +2,16 @@
 #include "runtime/progress/sqlite/database.h"
 
 #include "tests/unit/runtime/progress/progress_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-namespace fulcrum::runtime {
 namespace {
 
-using sqlite::Database;
-using sqlite::error_for;
-using sqlite::guarded;
-using sqlite::Statement;
-using sqlite::Transaction;
-using test::TemporaryFolder;
-
+using namespace fulcrum::runtime::sqlite;
 constexpr int kMake = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+
+}  // namespace
 
 TEST_CASE("database: what is bound comes back as it was, and as what it was") {
     const TemporaryFolder folder;
@@ -64,19 +60,17 @@ TEST_CASE("database: what is refused becomes one sentence with the path and what
           SQLITE_IOERR_FSYNC, SQLITE_NOMEM, SQLITE_CONSTRAINT_UNIQUE}) {
         const Error error = error_for(code, path, "two\nlines \x1b[2J");
         CAPTURE(code, to_sentence(error));
-        CHECK(test::is_sentence_about(to_sentence(error), path));
+        CHECK(is_sentence_about(to_sentence(error), path));
         CHECK_FALSE(error.what_to_do.empty());
-        CHECK(error.message.find("lines") == std::string::npos);
+        check_lacks(error.message, {"lines"});
     }
-    CHECK(error_for(SQLITE_FULL, path, "").message.find("full") != std::string::npos);
-    CHECK(error_for(SQLITE_CORRUPT_VTAB, path, "").message.find("damaged") != std::string::npos);
-    CHECK(error_for(SQLITE_IOERR_FSYNC, path, "").message.find("1034") != std::string::npos);
+    check_says(error_for(SQLITE_FULL, path, "").message, {"full"});
+    check_says(error_for(SQLITE_CORRUPT_VTAB, path, "").message, {"damaged"});
+    check_says(error_for(SQLITE_IOERR_FSYNC, path, "").message, {"1034"});
 
     const TemporaryFolder folder;
     Database database(folder.file("x.db"), kMake, "");
-    const auto result = guarded([&] { database.run("SELEC 1"); });
-    REQUIRE_FALSE(result);
-    CHECK(result.error().where == folder.file("x.db"));
+    CHECK(error_of(guarded([&] { database.run("SELEC 1"); })).where == folder.file("x.db"));
     CHECK(guarded([] { return 7; }) == 7);
 }
 
@@ -84,8 +78,5 @@ TEST_CASE("database: a path may hold what means something in a URI") {
     const TemporaryFolder folder;
     const std::string path = folder.file("a?b#c%20d e\xEB\xAF\xBC.db");
     Database(path, kMake, "").run("CREATE TABLE t(a)");
-    CHECK(test::query(path, "SELECT count(*) FROM t") == "0");
+    CHECK(query(path, "SELECT count(*) FROM t") == "0");
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

@@ -1,6 +1,6 @@
-#include "tests/unit/runtime/progress/csv_reader.h"
+#include "tests/support/csv_reader.h"
 
-namespace fulcrum::runtime::test {
+namespace fulcrum {
 namespace {
 
 // Reads a quoted cell whose opening quote is at `at`; false when it never closes.
@@ -50,4 +50,4 @@ std::optional<std::vector<std::vector<std::string>>> parse_csv(const std::string
     return rows;
 }
 
-}  // namespace fulcrum::runtime::test
+}  // namespace fulcrum
