@@ -170,6 +170,7 @@ TEST_CASE("kill, repeat, then power cut: what the repetition acknowledged is not
         CHECK(lost_and_repeated(path, through(vfs), work, acknowledged) == 0);
     }
 }
+
 namespace {
 
 // Writes every record, repeating each once when it fails; checks each sentence. What was acknowledged.

@@ -70,14 +70,14 @@ TEST_CASE("questions: what cannot work is one sentence with its line and what wa
          "there is no list \"thng\"; did you mean thing?"},
         {with({"the {planet} is the <superlative:heavy>"}),
          "there is no list \"planet\"; the lists are: thing, other"},
-        {with({"the {thing is"}), "question \"heaviest\", answer 1, letter 5: "},
+        {with({"the {thing is"}), "lesson.lua:7: question \"heaviest\", answer 1, letter 5: "},
         {with({"the apple is red"}, {{"colour", {"red"}}}),
-         "question \"heaviest\": no sentence has {colour}; write {colour} where its words belong, "
-         "or take it out."},
+         "lesson.lua:7: question \"heaviest\": no sentence has {colour}; write {colour} where its "
+         "words belong, or take it out."},
         // What no sentence uses was forgotten; a name that none has was meant for another.
         {with({"it is on the {side}"}, kSides, {{"far", "far away"}}),
-         "question \"heaviest\": no sentence has <far>; write <far> where its words belong, or "
-         "take it out."},
+         "lesson.lua:7: question \"heaviest\": no sentence has <far>; write <far> where its words "
+         "belong, or take it out."},
         {with({"it is <plase>"}, kSides, {{"place", "on the {side}"}}),
          "there is no rule <plase>; did you mean <place>?"},
         {with({"it is <place>"}, kSides, {{"place", "at <place>"}}), "uses itself"},
@@ -96,6 +96,8 @@ TEST_CASE("questions: what cannot work is one sentence with its line and what wa
         const std::string told = refusal_of(compile_questions(row.lesson));
         check_says(told, {row.told});
         CHECK_THAT(told, Catch::StartsWith("lesson.lua:7: "));
+        // What is given with its end is the whole sentence.
+        CHECK((told == row.told || !std::string_view(row.told).ends_with('.')));
     }
     // Without bodies nothing is a thing of the scene; two questions of one name are refused.
     LessonDescription lesson = two_things();

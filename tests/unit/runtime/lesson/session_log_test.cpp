@@ -143,8 +143,12 @@ TEST_CASE("session log: beginning, answers and end are kept as they were") {
     CHECK(attempt.feedback == "rule");
     CHECK(attempt.uptake == "not_repaired");
     CHECK(attempt.answer_s == 2.5);
-    CHECK(attempt.errors ==
-          std::vector<ErrorRecord>{{"R:ADJ:FORM", "most heavy", "heaviest", "comparison"}});
+    REQUIRE(attempt.errors.size() == 1);
+    CHECK(attempt.errors[0].span == "most heavy");
+    CHECK(attempt.errors[0].correction == "heaviest");
+    CHECK(attempt.errors[0].code == "R:ADJ:FORM");
+    CHECK_FALSE(attempt.errors[0].point.empty());
+    CHECK_FALSE(attempt.errors[0].target);
     REQUIRE(kept.store.data.ends.size() == 1);
     const SessionEnd& end = kept.store.data.ends[0];
     CHECK(end == SessionEnd{kept.session.id, end.ended_utc_ms, EndReason::finished, 2, 9, 3});

@@ -77,6 +77,7 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
     CHECK(query(path, "PRAGMA user_version") == "7");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
 }
+
 TEST_CASE("opening: what version 5 kept counts as heard with its form, and what comes may not") {
     const TemporaryFolder folder;
     const std::string path = folder.file("progress.db");
