@@ -5,17 +5,24 @@
 #include "tests/system/progress/workload.h"
 #include "tests/unit/runtime/progress/progress_fixture.h"
 
+#include <catch2/catch.hpp>
+
 #include <chrono>
+#include <cstdlib>
 #include <fcntl.h>
 #include <random>
 #include <signal.h>
+#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
-using namespace fulcrum::runtime::test;
-
+namespace fulcrum::runtime {
 namespace {
+
+using test::query;
+using test::TemporaryFolder;
+using test::Workload;
 
 constexpr int kKills = 60;
 constexpr int kQueuedKills = 45;
@@ -125,8 +132,6 @@ void kill_at_random(int kills, int seed, Writer::Writes how) {
     }
 }
 
-}  // namespace
-
 TEST_CASE("kill: at random moments nothing acknowledged is lost and nothing is there twice") {
     kill_at_random(kKills, 100, Writer::Writes::one_by_one);
 }
@@ -166,3 +171,6 @@ TEST_CASE("several programs: make one database at once, and each keeps its own r
         CHECK(query(path, "SELECT count(*) FROM session_end") == "6");
     }
 }
+
+}  // namespace
+}  // namespace fulcrum::runtime

@@ -7,12 +7,20 @@
 #include "tests/system/progress/workload.h"
 #include "tests/unit/runtime/progress/progress_fixture.h"
 
+#include <catch2/catch.hpp>
 #include <sqlite3.h>
 
-using namespace fulcrum::runtime::test;
+#include <cstdlib>
+#include <functional>
 
+namespace fulcrum::runtime {
 namespace {
 
+using test::CutStyle;
+using test::Operation;
+using test::PowerVfs;
+using test::TemporaryFolder;
+using test::Workload;
 using Synchronous = SqliteStoreOptions::Synchronous;
 
 int trials(int base) {
@@ -61,13 +69,13 @@ std::size_t lost_and_repeated(const std::string& path, const SqliteStoreOptions&
     const std::size_t lost = work.missing(*data, acknowledged).size();
     for (std::int64_t number = 0; number < work.records(); ++number) {
         const auto kept = work.write(**store, number);
-        CAPTURE(error_text(kept), number);
+        CAPTURE(test::error_text(kept), number);
         REQUIRE(kept);
     }
     const auto complete = (*store)->read({});
     REQUIRE(complete);
     REQUIRE(work.is_all_of(*complete));
-    REQUIRE(query(path, "PRAGMA integrity_check") == "ok");
+    REQUIRE(test::query(path, "PRAGMA integrity_check") == "ok");
     return lost;
 }
 
@@ -109,8 +117,6 @@ std::size_t lost_by_power_cuts(Synchronous synchronous, bool disk_lies, int roun
     return lost;
 }
 
-}  // namespace
-
 TEST_CASE("power cut: with synchronous=FULL nothing acknowledged is lost") {
     CHECK(lost_by_power_cuts(Synchronous::full, false, trials(90)) == 0);
 }
@@ -123,7 +129,8 @@ TEST_CASE("power cut: on a disk that lies about syncs acknowledged records are l
     CHECK(lost_by_power_cuts(Synchronous::full, true, trials(15)) > 0);
 }
 
-TEST_CASE("power cut: at no operation of a database's first minute is anything kept lost") {
+TEST_CASE(
+    "power cut: at every operation of a database's first minute, nothing acknowledged is lost") {
     PowerVfs vfs;
     const Workload work(2, 6);
     for (const CutStyle style : {CutStyle::drop, CutStyle::pick, CutStyle::garble}) {
@@ -171,8 +178,6 @@ TEST_CASE("kill, repeat, then power cut: what the repetition acknowledged is not
     }
 }
 
-namespace {
-
 // Writes every record, repeating each once when it fails; checks each sentence. What was acknowledged.
 std::set<std::int64_t> write_through_faults(const std::string& path, const PowerVfs& vfs,
                                             const Workload& work) {
@@ -183,7 +188,7 @@ std::set<std::int64_t> write_through_faults(const std::string& path, const Power
         if (opened) {
             store = std::move(*opened);
         } else {
-            CHECK(is_sentence_about(to_sentence(opened.error()), path));
+            CHECK(test::is_sentence_about(to_sentence(opened.error()), path));
             CHECK(vfs.fault_struck());
         }
     }
@@ -193,7 +198,7 @@ std::set<std::int64_t> write_through_faults(const std::string& path, const Power
             if (kept) {
                 acknowledged.insert(number);
             } else {
-                CHECK(is_sentence_about(to_sentence(kept.error()), path));
+                CHECK(test::is_sentence_about(to_sentence(kept.error()), path));
             }
         }
     }
@@ -243,8 +248,6 @@ void check_every_fault(const std::function<std::set<std::int64_t>(const std::str
     }
 }
 
-}  // namespace
-
 TEST_CASE("fault: any operation on a new database may fail; nothing acknowledged is lost") {
     check_every_fault([](const std::string&) { return std::set<std::int64_t>{}; });
 }
@@ -263,3 +266,6 @@ TEST_CASE("fault: any operation of bringing version 1 up may fail; nothing kept 
         return std::set<std::int64_t>{0};
     });
 }
+
+}  // namespace
+}  // namespace fulcrum::runtime

@@ -96,42 +96,61 @@ struct PowerVfsCalls {
         return SQLITE_OK;
     }
 
-    // What the real layer does with it, and nothing else.
-    template <auto kCall, class... Rest>
-    static auto pass(sqlite3_file* file, Rest... rest) {
-        return (real(file)->pMethods->*kCall)(real(file), rest...);
+    static int file_size(sqlite3_file* file, sqlite3_int64* size) {
+        return real(file)->pMethods->xFileSize(real(file), size);
     }
-
+    static int lock(sqlite3_file* file, int level) {
+        return real(file)->pMethods->xLock(real(file), level);
+    }
+    static int unlock(sqlite3_file* file, int level) {
+        return real(file)->pMethods->xUnlock(real(file), level);
+    }
+    static int check_lock(sqlite3_file* file, int* taken) {
+        return real(file)->pMethods->xCheckReservedLock(real(file), taken);
+    }
+    static int control(sqlite3_file* file, int operation, void* argument) {
+        return real(file)->pMethods->xFileControl(real(file), operation, argument);
+    }
+    static int sector_size(sqlite3_file* file) {
+        return real(file)->pMethods->xSectorSize(real(file));
+    }
+    static int characteristics(sqlite3_file* file) {
+        return real(file)->pMethods->xDeviceCharacteristics(real(file));
+    }
     static int shm_map(sqlite3_file* file, int page, int size, int extend, volatile void** memory) {
         if (const int code = of(file).vfs->strike(Operation::share); code != SQLITE_OK) {
             return code;
         }
         return real(file)->pMethods->xShmMap(real(file), page, size, extend, memory);
     }
+    static int shm_lock(sqlite3_file* file, int offset, int count, int flags) {
+        return real(file)->pMethods->xShmLock(real(file), offset, count, flags);
+    }
+    static void shm_barrier(sqlite3_file* file) { real(file)->pMethods->xShmBarrier(real(file)); }
+    static int shm_unmap(sqlite3_file* file, int remove) {
+        return real(file)->pMethods->xShmUnmap(real(file), remove);
+    }
 
     static const sqlite3_io_methods& methods() {
-        using Methods = sqlite3_io_methods;
-        static const Methods kMethods = [] {
-            Methods made{};
-            made.iVersion = 2;
-            made.xClose = close;
-            made.xRead = read;
-            made.xWrite = write;
-            made.xTruncate = truncate;
-            made.xSync = sync;
-            made.xFileSize = pass<&Methods::xFileSize>;
-            made.xLock = pass<&Methods::xLock>;
-            made.xUnlock = pass<&Methods::xUnlock>;
-            made.xCheckReservedLock = pass<&Methods::xCheckReservedLock>;
-            made.xFileControl = pass<&Methods::xFileControl>;
-            made.xSectorSize = pass<&Methods::xSectorSize>;
-            made.xDeviceCharacteristics = pass<&Methods::xDeviceCharacteristics>;
-            made.xShmMap = shm_map;
-            made.xShmLock = pass<&Methods::xShmLock>;
-            made.xShmBarrier = pass<&Methods::xShmBarrier>;
-            made.xShmUnmap = pass<&Methods::xShmUnmap>;
-            return made;
-        }();
+        static const sqlite3_io_methods kMethods{2,
+                                                 close,
+                                                 read,
+                                                 write,
+                                                 truncate,
+                                                 sync,
+                                                 file_size,
+                                                 lock,
+                                                 unlock,
+                                                 check_lock,
+                                                 control,
+                                                 sector_size,
+                                                 characteristics,
+                                                 shm_map,
+                                                 shm_lock,
+                                                 shm_barrier,
+                                                 shm_unmap,
+                                                 nullptr,
+                                                 nullptr};
         return kMethods;
     }
 

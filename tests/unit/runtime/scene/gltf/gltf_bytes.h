@@ -2,10 +2,19 @@
 #pragma once
 
 #include "runtime/scene/gltf/gltf_model.h"
-#include "tests/unit/runtime/rig.h"
 
+#include <catch2/catch.hpp>
+
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <unistd.h>
+#include <vector>
 
 namespace fulcrum::runtime::test {
 
@@ -142,10 +151,15 @@ inline std::string refusal_of_text(const std::string& text) {
 
 /// A folder of its own for one test, with a folder for models in it; gone afterwards.
 struct Folder {
-    ScratchFolder scratch;
-    std::filesystem::path path = scratch.path();
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() /
+        ("fulcrum_gltf_test_" + std::to_string(::getpid()) + "_" + std::to_string(++counter));
     Folder() { std::filesystem::create_directories(path / "models"); }
+    ~Folder() { std::filesystem::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
     [[nodiscard]] std::filesystem::path model() const { return path / "models" / "test.gltf"; }
+    static inline int counter = 0;
 };
 
 inline void write(const std::filesystem::path& path, const std::string& text) {
