@@ -76,8 +76,8 @@ Wrench GodForce::compute_held(const Pose& wanted_W) noexcept {
         return {};
     }
     const Vector6 wanted = settings_.step_share * find_way(tool_W_, wanted_W);
-    if (settings_.has_friction && is_solved_ && wanted == solved_for_) {
-        // Asked again it would go on from its answer, and where that is not exact find another.
+    if (is_solved_ && wanted == solved_for_) {
+        // Asked again it would go on from its answer, and find one with other last digits, or where it is not exact another.
         return solved_;
     }
     const LeastConstraint& held =
