@@ -159,9 +159,8 @@ void put_elsewhere(Tool& tool, double from_s, Look look) {
 }  // namespace
 
 TEST_CASE("god beside: a step feels the last set of contacts, and moves as a tool in line does") {
-    constexpr double kSolved_N = 1.0e-7;  // asked once more, the solver begins elsewhere
-    constexpr double kSolved_m =
-        1.0e-10;  // likewise; a ten-thousandth of the gap at which it rests
+    constexpr double kSolved_N = 1.0e-7;   // each solver begins where its own last answer was
+    constexpr double kSolved_m = 1.0e-10;  // a ten-thousandth of the gap at which it rests
     for (const double friction : {0.0, 0.4}) {
         auto in_line = make_god(true, 0.0, friction);
         auto beside = make_god(false, 0.0, friction);
