@@ -222,6 +222,19 @@ double GodMotion::find_free_share(const Vector6& way) noexcept {
     return 0.0;
 }
 
+// With the object that is nearest of those that move: seen from that one it stands still, and touches nothing on the way.
+Vector6 GodMotion::find_carried() const noexcept {
+    std::size_t nearest = 0;
+    double least_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        if (pairs_[i].least_gap_m() < least_m && !is_same(objects_W_[i], goals_W_[i])) {
+            least_m = pairs_[i].least_gap_m();
+            nearest = i;
+        }
+    }
+    return find_way(pose_W_, goals_W_[nearest] * seen_from(objects_W_[nearest], pose_W_));
+}
+
 void GodMotion::advance(const Vector6& way, double share) noexcept {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
         objects_W_[i] = find_object_W(i, share);
@@ -267,6 +280,13 @@ bool GodMotion::slide_once(const Pose& wanted_W, std::span<const MovingFrame> ob
         share = find_free_share(way);
         if (!(share > 0.0)) {
             return true;
+        }
+    } else if (!recovers && share < kStuckShare && !have_arrived()) {
+        // On a way as bent as that what moves would take many rounds: the tool is carried first.
+        const Vector6 carried = find_carried();
+        if (const double carried_share = find_free_share(carried); carried_share > share) {
+            way = carried;
+            share = carried_share;
         }
     }
     if (!(share > 0.0) ||

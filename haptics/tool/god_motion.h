@@ -66,6 +66,7 @@ class GodMotion final : public BesideTask {
     [[nodiscard]] const LeastConstraint& solve(const Vector6& wanted, bool pushes) noexcept;
     // How much of the way it, and the objects theirs, may go.
     [[nodiscard]] double find_free_share(const Vector6& way) noexcept;
+    [[nodiscard]] Vector6 find_carried() const noexcept;
     void set_goals(std::span<const MovingFrame> objects) noexcept;
     [[nodiscard]] Pose find_object_W(std::size_t i, double share) const noexcept;
     void advance(const Vector6& way, double share) noexcept;

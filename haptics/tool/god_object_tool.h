@@ -13,8 +13,8 @@
 // g_k is a contact's gap and delta the gap at which tools rest, a micrometre. Contacts within 4 delta are told, farther ones where the tool was
 // stopped by what it did not know of: those that are farther than delta away let the tool go as far, those that are nearer push it back, where all can; so it rests at delta itself, however it came there.
 // Objects that move go on their way during the same rounds, each pair of meshes on the in-between motion of one as seen from the other,
-// and the tool before them. Between objects that close upon it the tool is wedged: then they are held where they touched, which is told, and catch
-// up when there is room.
+// and the tool before them; where a round so gets less than a tenth of its way, for that is bent, the tool is carried by the nearest of them, at rest on it.
+// Between objects that close upon it the tool is wedged: then they are held where they touched, which is told, and catch up when there is room.
 //
 // What is felt of a tool that nothing is within 16 delta of is 0, to the bit, in that very step, however it came there and whatever `fade_s` is. Lifted
 // it comes off without a step of the force; slipped off an edge with one, which the safety gate's slew limit stretches (loop/safety.h).

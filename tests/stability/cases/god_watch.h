@@ -78,7 +78,9 @@ class GodWatch {
         for (int i = 0; i < 60; ++i) {
             felt = step(handle);
         }
-        demand(find_way(scene_.god.pose_W(), handle).norm() / 1.0e-9);
+        const Vector6 left = find_way(scene_.god.pose_W(), handle);
+        demand(left.head<3>().norm() / 1.0e-9);
+        demand(std::sqrt(per_mass_m2_) * left.tail<3>().norm() / 1.0e-9);
         demand(felt.felt_W.force.norm() / 1.0e-9);
         demand(felt.felt_W.torque.norm() / 1.0e-9);
     }

@@ -53,7 +53,7 @@ TEST_CASE("god-object tool: objects that turn and fly about by chance never get 
             Pose& pose = scene.frames[k].pose_W;
             // They circle round it, and lean on it.
             const Vector3 to = handle.position - pose.position;
-            pose.position += 0.002 * random.in_cube() + (to.norm() > 0.07 ? 0.02 : -0.02) * to;
+            pose.position += 0.002 * random.in_cube() + (to.norm() > 0.06 ? 0.02 : -0.02) * to;
             pose.orientation =
                 (compute_exp(0.05 * random.in_cube() + Vector3(0.01, 0.0, 0.02)) * pose.orientation)
                     .normalized();
@@ -68,7 +68,7 @@ TEST_CASE("god-object tool: objects that turn and fly about by chance never get 
         REQUIRE_FALSE(scene.is_inside());
     }
     CHECK(n_touching > 300);
-    CHECK(n_wedged < 500);
+    CHECK(n_wedged < n_touching / 2);
     // Drawn away, both are where they are said to be.
     for (int i = 0; i < 100; ++i) {
         scene.frames[0].pose_W.position.y() -= 0.001;
