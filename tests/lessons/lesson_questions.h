@@ -3,6 +3,7 @@
 
 #include "runtime/lesson/questions.h"
 #include "runtime/lua/process/lesson_process.h"
+#include "tests/lessons/program.h"
 
 #include <catch2/catch.hpp>
 
@@ -21,7 +22,7 @@ inline Questions questions_of(const std::string& lesson) {
     files.folder = std::filesystem::path(FULCRUM_SCENARIOS) / lesson;
     files.library = std::filesystem::path(FULCRUM_SCENARIOS) / "../scripts/lib";
     runtime::LessonProcessOptions options;
-    options.executable = FULCRUM_PROGRAM;
+    options.executable = program_path();
     options.load_wall_s = options.answer_wall_s = 30.0;
     auto process = runtime::LessonProcess::start(files, options);
     REQUIRE(process);

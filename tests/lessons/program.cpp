@@ -13,6 +13,10 @@
 namespace fulcrum::test {
 namespace fs = std::filesystem;
 
+std::string program_path() {
+    return FULCRUM_PROGRAM;
+}
+
 Sandbox::Sandbox() {
     std::string pattern = (fs::temp_directory_path() / "fulcrum_lesson_XXXXXX").string();
     folder_ = mkdtemp(pattern.data());

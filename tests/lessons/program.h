@@ -14,6 +14,9 @@ struct ProgramRun {
     std::string output;  ///< standard output and error together
 };
 
+/// The program of this build.
+[[nodiscard]] std::string program_path();
+
 /// A folder that goes when this goes; also the HOME of every program run in it.
 class Sandbox {
   public:

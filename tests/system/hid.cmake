@@ -16,7 +16,7 @@ if(TARGET fulcrum AND TARGET fulcrum_hid_shim)
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/stick_fit.sh $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_hid_shim>
                    $<TARGET_FILE:fulcrum_virtual_hid>)
   set_tests_properties("system: a joystick's force is tried once for each learner, and one that pushes the wrong way gives none"
-                       PROPERTIES LABELS system TIMEOUT 180 RUN_SERIAL ON ENVIRONMENT ${environment})
+                       PROPERTIES LABELS system TIMEOUT 180 RESOURCE_LOCK real_time COST 1000 ENVIRONMENT ${environment})
   add_test(NAME "system: udev is told which devices can be a hand, whatever their bus"
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/is_hand.sh $<TARGET_FILE:fulcrum-is-hand>)
   set_tests_properties("system: udev is told which devices can be a hand, whatever their bus"

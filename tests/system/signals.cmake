@@ -2,4 +2,4 @@
 add_test(NAME "system: a run that a signal ends has faded, is kept whole and says so by its exit code"
          COMMAND ${CMAKE_SOURCE_DIR}/tests/system/signals.sh $<TARGET_FILE:fulcrum>)
 set_tests_properties("system: a run that a signal ends has faded, is kept whole and says so by its exit code"
-                     PROPERTIES LABELS system TIMEOUT 120 RUN_SERIAL ON)
+                     PROPERTIES LABELS system TIMEOUT 120 RESOURCE_LOCK real_time COST 1000)

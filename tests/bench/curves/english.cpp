@@ -182,11 +182,11 @@ std::array<Sheet, 3> check_lessons(EnglishChecker& checker, Run& run) {
         for (const auto& [id, question] : lesson.questions) {
             add_question(
                 checker, *lexicon, question,
-                make_template_sentences(question, SentencesOf::author, run.pick(4000, 400), kSeed),
+                make_template_sentences(question, SentencesOf::author, run.pick(400, 40), kSeed),
                 own);
             add_question(
                 checker, *lexicon, question,
-                make_template_sentences(question, SentencesOf::english, run.pick(400, 40), kSeed),
+                make_template_sentences(question, SentencesOf::english, run.pick(40, 8), kSeed),
                 followed);
         }
     }

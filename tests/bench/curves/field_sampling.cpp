@@ -239,7 +239,7 @@ void add_budget_rows(const std::string& what, double speed, const Scene& scene,
 Report run_field_sampling(Run& run) {
     const int n_points = run.pick(1'000'000, 100'000);
     const int n_along = run.pick(512, 256);
-    const int n = run.pick(1200, 400);
+    const int n = run.pick(1200, 200);
     const TriangleMesh object = *make_bumpy_sphere(1.0, 71, 0.03, 20.0);
     const TriangleMesh tool = *make_bumpy_sphere(1.0, 71, 0.02, 15.0);
     const Scene scene = make_scene(object, tool, n_along, n_points);

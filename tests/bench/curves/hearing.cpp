@@ -234,7 +234,7 @@ Sheet measure_throats(Run& run, const Question& question, double used) {
             }
             const auto decoder = listen(question, settings);
             const HeardAll all =
-                hear(*decoder, question, voice, run.pick(std::size_t{1}, std::size_t{4}));
+                hear(*decoder, question, voice, run.pick(std::size_t{1}, std::size_t{12}));
             std::vector<Heard> inside = all.right;
             inside.insert(inside.end(), all.wrong.begin(), all.wrong.end());
             sheet.add({up, settings.throats.size(), percent(inside, used, any),
@@ -281,7 +281,7 @@ Report run_hearing(Run& run) {
             continue;
         }
         const HeardAll all = hear(*listen(question, settings), question, conditions()[i],
-                                  run.pick(std::size_t{1}, std::size_t{4}));
+                                  run.pick(std::size_t{1}, std::size_t{12}));
         voices.add({conditions()[i].name, percent(all.right, used, any),
                     percent(all.right, used, is_exact), percent(all.right, used, is_told),
                     percent(all.wrong, used, any), percent(all.wrong, used, is_told),
