@@ -40,10 +40,18 @@ function(fulcrum_shipped target)
                      VERBATIM)
 endfunction()
 
+# fulcrum_test_objects(OUT target SOURCE ...): the objects of a target's sources in FULCRUM_TEST_OBJECTS, another build's folder.
+function(fulcrum_test_objects out target)
+  # Where CMake puts the object of a source, which lies under the folder of the build or of the tests.
+  list(TRANSFORM ARGN REPLACE "^(${CMAKE_CURRENT_BINARY_DIR}|${CMAKE_SOURCE_DIR}/tests)/(.*)$"
+                              "${FULCRUM_TEST_OBJECTS}/tests/CMakeFiles/${target}.dir/\\2.o")
+  set(${out} ${ARGN} PARENT_SCOPE)
+endfunction()
+
 # fulcrum_tests(NAME folder LABEL label DEPENDS ... [PREFIX text] [BUILT_ANEW] [FLAT]): one test program from every *_test.cpp under
 # folder (FLAT: in it); each TEST_CASE is a ctest of its own, named PREFIX (NAME) and carrying the label and, of unit tests, its room's:
 # haptics/tool, whose programs are built by the target tests_haptics_tool, and with its neighbours' by tests_haptics. With
-# FULCRUM_TEST_OBJECTS, another build's folder, the tests' objects are taken from there: what they test is sanitized, they are not. Not
+# FULCRUM_TEST_OBJECTS the tests' objects are taken from there: what they test is sanitized, they are not. Not
 # those BUILT_ANEW, which are compiled for one build's folder or for sanitizers, nor are those joined (join_sources.cmake), for they
 # replace what the whole program allocates with.
 function(fulcrum_tests name folder)
@@ -66,10 +74,7 @@ function(fulcrum_tests name folder)
     fulcrum_join_sources(sources ${name} ${sources})
   endif()
   if(FULCRUM_TEST_OBJECTS AND NOT arg_BUILT_ANEW)
-    # Where CMake puts the object of a source, which lies under the folder of the build or of the tests.
-    list(TRANSFORM sources REPLACE "^(${CMAKE_CURRENT_BINARY_DIR}|${CMAKE_SOURCE_DIR}/tests)/(.*)$"
-                                   "${FULCRUM_TEST_OBJECTS}/tests/CMakeFiles/test_${name}.dir/\\2.o")
-    set_source_files_properties(${sources} PROPERTIES EXTERNAL_OBJECT ON)
+    fulcrum_test_objects(sources test_${name} ${sources})
   endif()
   add_executable(test_${name} ${sources})
   set_target_properties(test_${name} PROPERTIES LINKER_LANGUAGE CXX)

@@ -1,10 +1,12 @@
 // No step of any proxy allocates: every cursor on every kind of body, two of them, moving.
 #include "haptics/geometry/height_field.h"
 #include "haptics/geometry/shape.h"
+#include "haptics/point/god_object.h"
 #include "haptics/point/make_proxy.h"
 #include "tests/realtime/allocation_trap.h"
 #include "tests/support/distance_bodies.h"
 #include "tests/support/touchable.h"
+#include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
@@ -86,6 +88,29 @@ TEST_CASE("no allocation: point, ball and convex cursors, with friction, on bodi
                              n_between) == 0);
         CHECK(n_touching > 100);
     }
+}
+
+TEST_CASE("no allocation: god object in free space, sliding, in corners, on moving bodies") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 40, 0.03, 20.0));
+    const auto box = touchable(make_box(Vector3::Ones()));
+    GodObject proxy({SolidPlan{.body = 0, .shape = mesh, .initial_pose_W = {}},
+                     SolidPlan{.body = 1, .shape = box, .initial_pose_W = {}}});
+    Random random(15);
+    std::array<Pose, 2> poses;
+    proxy.reset({0.0, 2.0, 0.0});
+    int n_touching = 0;
+    CHECK(count_allocations([&] {
+              for (int i = 0; i < 20000; ++i) {
+                  const Vector3 hand =
+                      Vector3(0.0, 2.0 * std::cos(0.003 * i), 0.0) + 0.02 * random.vector();
+                  poses[0] = {0.01 * random.vector(), random.turn(0.01) * poses[0].orientation};
+                  poses[1] = {Vector3(1.1, 0.2 * std::sin(0.01 * i), 0.0),
+                              random.turn(0.01) * poses[1].orientation};
+                  n_touching += proxy.step(hand, poses).solid != kNoBody ? 1 : 0;
+              }
+          }) == 0);
+    CHECK(n_touching > 1000);
+    CHECK(n_touching < 20000);
 }
 
 }  // namespace

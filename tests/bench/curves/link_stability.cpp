@@ -134,7 +134,9 @@ LineChart run_slow_presses(const Run& run) {
     for (const Case& tried : cases) {
         chart.trace(to_text(tried.stiffness_N_per_m) + " N/m, " + std::to_string(tried.presses) +
                         (tried.presses == 1 ? " press" : " presses"),
-                    LineStyle::measured, {0.0, 10.0, 20.0, 50.0, 95.0}, [&](double delay_ms) {
+                    LineStyle::measured,
+                    run.pick<std::vector<double>>({0.0, 10.0, 20.0, 50.0, 95.0}, {0.0, 50.0}),
+                    [&](double delay_ms) {
                         LinkTrial trial = make_link_trial(1e-3 * delay_ms, kFingertip);
                         trial.stiffness_N_per_m = tried.stiffness_N_per_m;
                         const LinkCourse course =
