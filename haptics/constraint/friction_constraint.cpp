@@ -22,6 +22,8 @@ constexpr int kDampedRounds = 10;           // from then on bounds go half of th
 constexpr int kMostFollowing = 12;          // whole steps of a round
 constexpr int kMostHeld = 40;               // searched steps of a round
 constexpr int kMostFrictionHalvings = 30;
+constexpr double kMostDefect =
+    1.0e-9;  // of an exact answer: rounding leaves a tenth of that where contacts are stiffest
 constexpr double kFlat = 0.3;       // of the slope along a step: left where the search ends
 constexpr double kBalanced = 0.02;  // of the largest that is wanted: farther off is no answer
 
@@ -145,8 +147,8 @@ bool FrictionConstraintSolver::follow(Vector6& y) noexcept {
     return false;
 }
 
-// Down the convex function, its bounds held.
-void FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
+// Down the convex function, its bounds held; the defect that is left.
+double FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
     Vector6 r = find_defect(y, false);
     for (int i = 0; i < kMostHeld && r.norm() > enough && has_time(); ++i) {
         ++answer_.rounds;
@@ -169,6 +171,7 @@ void FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
         y += share * step;
         r = next;
     }
+    return r.norm();
 }
 
 FrictionConstraintSolver::Miss FrictionConstraintSolver::correct(double share) noexcept {
@@ -193,16 +196,16 @@ bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
     double compliance = kCompliance;
     Vector6 balanced = Vector6::Zero();  // where the forces l of the last whole round hold it
     for (int i = 0; i < kMostFrictionRounds && answer_.rounds < kMostSteps && has_time(); ++i) {
-        if (!follow(y)) {
-            hold(y, kEnough * std::max(miss.most(), kTolerance));
-        }
+        // What is left of the balance of forces counts too: contacts may keep their bounds and yet not hold what is held.
+        const double defect =
+            follow(y) ? 0.0 : hold(y, kEnough * std::max(miss.most(), kTolerance));
         if (!has_time()) {
             break;
         }
         balanced = y;
         const Miss before = miss;
         miss = correct(i < kDampedRounds ? 1.0 : 0.5);
-        if (miss.most() <= kTolerance) {
+        if (miss.most() <= kTolerance && defect <= kMostDefect) {
             return true;
         }
         const bool is_slow = i > 0 && miss.way > kSlow * before.way && miss.way > miss.bound;

@@ -71,7 +71,7 @@ class FrictionConstraintSolver {
     Vector6 find_defect(const Vector6& y, bool follows) noexcept;
     [[nodiscard]] Matrix6 find_slope(bool follows) const noexcept;
     bool follow(Vector6& y) noexcept;
-    void hold(Vector6& y, double enough) noexcept;
+    double hold(Vector6& y, double enough) noexcept;
     struct Miss {
         double way = 0.0;    // along contacts that hold; no number where a force is none
         double bound = 0.0;  // of friction

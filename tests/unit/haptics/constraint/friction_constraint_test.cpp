@@ -269,6 +269,51 @@ TEST_CASE("friction constraint: the force told is what the contacts push, by the
     CHECK(n_inexact > 0);
 }
 
+TEST_CASE(
+    "friction constraint: asked step by step, what it calls exact is balanced in every step") {
+    Chance random(8);
+    int n_acting = 0;
+    int n_exact = 0;
+    for (int course = 0; course < 40; ++course) {
+        // An edge, a face or more, tilted a little; the hand that drags the cube along and turns it wanders.
+        const auto n = static_cast<std::size_t>(2 + course % 5);
+        FrictionConstraintSolver solver(n);
+        REQUIRE(solver.set_inertia(kMass_kg, bar_inertia()));
+        std::vector<Held> contacts(n);
+        Vector6 wanted = six({0.0, -1.0e-3, 0.0});
+        Vector6 drift = Vector6::Zero();
+        for (int i = 0; i < 2000; ++i) {
+            if (i % 50 == 0) {
+                for (Held& c : contacts) {
+                    c = {{random.draw(-kHalf_m, kHalf_m), -kHalf_m, random.draw(-kHalf_m, kHalf_m)},
+                         (kUp + random.draw_vector(0.05)).normalized(),
+                         -random.draw(0.0, 1.0e-6),
+                         0.5};
+                }
+            }
+            solver.clear();
+            for (const Held& c : contacts) {
+                REQUIRE(solver.add(c.arm_W, c.normal_W, c.least, c.friction));
+            }
+            drift = 0.98 * drift + six(random.draw_vector(2.0e-5), random.draw_vector(1.0e-3)) -
+                    0.002 * (wanted - six({0.0, -1.0e-3, 0.0}));
+            wanted += drift;
+            const LeastConstraint answer = solver.solve(wanted);
+            n_acting += answer.acting > 0 ? 1 : 0;
+            n_exact += answer.exact && answer.acting > 0 ? 1 : 0;
+            Vector6 sum = Vector6::Zero();
+            for (std::size_t k = 0; k < n && answer.acting > 0; ++k) {
+                const Vector3 force_W = solver.force_W(k);
+                sum += six(force_W, contacts[k].arm_W.cross(force_W));
+            }
+            CAPTURE(course, i, n, answer.exact, answer.rounds);
+            REQUIRE((answer.force - sum).head<3>().norm() <= 1.0e-9 * kMass_kg * wanted.norm());
+        }
+    }
+    CHECK(n_acting > 40000);
+    CHECK(n_exact > n_acting * 9 / 10);
+}
+
 TEST_CASE("friction constraint: asked again it answers the same, whatever it was asked before") {
     FrictionConstraintSolver solver = solver_of(under_a_cube(3, 0.4));
     const Vector6 wanted = six({2.0e-3, -2.0e-3, 1.0e-3}, {0.02, 0.05, -0.01});

@@ -58,7 +58,6 @@ TEST_CASE("god-object jolts: contacts that come and go change the force by a ste
     double left_N = 0.0;         // felt when that begins to end
     int n_free = 0;              // steps without a push
     int n_dropped = 0;           // and with nothing near, as the force before was not yet gone
-    int n_parted = 0;            // in which what was told of the contacts is not what was felt
     for (int i = 0; i < 16000; ++i) {
         velocity = 0.98 * velocity + 0.004 * random.in_cube() -
                    0.006 * (handle.position - Vector3(0.0, 0.068, 0.0));
@@ -85,14 +84,11 @@ TEST_CASE("god-object jolts: contacts that come and go change the force by a ste
         left_N = n_free > 5 ? left_N : before.force.norm();
         const double most_N =
             std::max(lost * change_N, n_free > 5 ? left_N * test::kGodDt_s / fade_s : 0.0);
-        const double rise_N = (felt.felt_W.force - before.force).norm();
-        n_parted += rise_N > 1.001 * most_N + kNothing_N + 1.0e-9 * kStiffness ? 1 : 0;
-        REQUIRE(rise_N <= most_N + 0.002 * felt.felt_W.force.norm() + kNothing_N);
+        REQUIRE((felt.felt_W.force - before.force).norm() <=
+                1.001 * most_N + kNothing_N + 1.0e-9 * kStiffness);
     }
     CHECK(most_change_N > 5.0);
     CHECK(n_dropped > 3);
-    // With friction what is told of the contacts is not always what is felt, here in 3 steps: a defect, and not found yet.
-    CHECK(n_parted <= (mu > 0.0 ? 4 : 0));
 }
 
 TEST_CASE("god-object in the free: nothing is felt in any step in which nothing is near") {
