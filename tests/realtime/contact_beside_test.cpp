@@ -1,5 +1,5 @@
-// A haptic loop and the contact thread of its tool on threads of their own, as in a live run: what is handed over is whole and felt, a thread that
-// stalls or dies lets the force fade, and nothing jumps. No time of the wall is asserted; the loops' own clocks are.
+// A haptic loop and the contact thread of its tool, as in a live run: what is handed over is whole and felt, a thread that stalls or dies lets
+// the force fade, and nothing jumps. What is asked of time is asked by a clock of the test's own.
 #include "haptics/base/clock.h"
 #include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/loop/beside_thread.h"
@@ -59,63 +59,30 @@ HapticPlan make_floor(ToolMethod method) {
     return plan;
 }
 
-// Stands between the thread and the work; can hold it up or make it do nothing.
-class Spoiled final : public BesideTask {
-  public:
-    explicit Spoiled(BesideTask& task) : task_(task) {}
-    bool run_once() noexcept override {
-        if (stall_s.load() > 0.0) {
-            const double end_s = monotonic_now_s() + stall_s.exchange(0.0);
-            n_stalls.fetch_add(1);
-            while (monotonic_now_s() < end_s) {
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            }
-        }
-        return task_.run_once();
-    }
-    std::atomic<double> stall_s{0.0};
-    std::atomic<int> n_stalls{0};
-
-  private:
-    BesideTask& task_;
-};
-
 // Sees each round of the haptic loop, on its thread.
 class Watched final : public PeriodicTask {
   public:
     Watched(HapticLoop& loop) : loop_(loop) {}
     void step(double now_s) override {
         const Vector3 before = loop_.state().commanded_W.force;
-        const double since_s = now_s - loop_.state().time_s;
         loop_.step(now_s);
-        const double step_N = (loop_.state().commanded_W.force - before).norm();
-        // A round that the machine delays lets the hand go farther: by the second.
-        const double rounds = std::max(since_s / 0.001, 1.0);
-        most_step_N.store(std::max(most_step_N.load(), step_N / rounds));
+        most_step_N = std::max(most_step_N, (loop_.state().commanded_W.force - before).norm());
     }
     void silence(double now_s) noexcept override { loop_.silence(now_s); }
-    std::atomic<double> most_step_N{0.0};
+    double most_step_N = 0.0;
 
   private:
     HapticLoop& loop_;
 };
 
-// All that runs; the test's own thread moves the hand.
-struct Live {
-    explicit Live(ToolMethod method, double looks_Hz = 2000.0)
-        : loop(make_floor(method), hand, *channels), watched(loop) {
+// A loop, the hand that its test moves, and whoever lets time pass.
+struct Rig {
+    explicit Rig(ToolMethod method) : loop(make_floor(method), hand, *channels), watched(loop) {
         REQUIRE(loop.beside() != nullptr);
-        spoiled = std::make_unique<Spoiled>(*loop.beside());
         move_to(0.05);
-        RealtimeSettings settings;
-        settings.epoch_s = epoch_s;
-        REQUIRE(contact.start(*spoiled, looks_Hz, epoch_s));
-        REQUIRE(haptic.start(watched, settings));
     }
-    ~Live() {
-        haptic.stop();
-        contact.stop();
-    }
+    virtual ~Rig() = default;
+    virtual void pass(int rounds) = 0;
     void move_to(double height_m) {
         HandTarget wanted;
         wanted.pose_D = Pose::at(Vector3(0.0, height_m, 0.0));
@@ -132,7 +99,7 @@ struct Live {
             if (condition(look())) {
                 return true;
             }
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            pass(1);
         }
         return false;
     }
@@ -141,21 +108,53 @@ struct Live {
         REQUIRE(await([](const HapticState& state) { return state.gate == GatePhase::open; }));
         while (height > 0.02 - kPressed_m) {
             move_to(height - kMoved_m);
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            pass(5);
         }
         REQUIRE(await([](const HapticState& state) { return state.applied_W.force.y() > 2.0; }));
     }
 
-    double epoch_s = monotonic_now_s();
     double height = 0.0;
     LatestValue<HandTarget> target;
     SimulatedHand hand{SimulatedHandSettings{}, target};
     std::unique_ptr<HapticChannels> channels = std::make_unique<HapticChannels>();
     HapticLoop loop;
     Watched watched;
-    std::unique_ptr<Spoiled> spoiled;
+};
+
+// On threads, by the clock of the wall.
+struct Live final : Rig {
+    explicit Live(ToolMethod method) : Rig(method) {
+        RealtimeSettings settings;
+        settings.epoch_s = monotonic_now_s();
+        REQUIRE(contact.start(*loop.beside(), 2000.0, settings.epoch_s));
+        REQUIRE(haptic.start(watched, settings));
+    }
+    ~Live() override {
+        haptic.stop();
+        contact.stop();
+    }
+    void pass(int rounds) override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(rounds));
+    }
+
     BesideThread contact;
     RealtimeThread haptic;
+};
+
+// By a clock of its own: the other thread looks every so many rounds, or 0: not at all. So a busy machine is no late answer.
+struct Stepped final : Rig {
+    explicit Stepped(ToolMethod method, int looks = 1) : Rig(method), looks_every(looks) {}
+    void pass(int rounds) override {
+        for (; rounds > 0; --rounds) {
+            watched.step(0.001 * static_cast<double>(++n));
+            if (looks_every > 0 && n % looks_every == 0) {
+                (void)loop.beside()->run_once();
+            }
+        }
+    }
+
+    int looks_every;
+    int n = 0;
 };
 
 constexpr ToolMethod kMethods[] = {ToolMethod::implicit_penalty, ToolMethod::god_object};
@@ -182,14 +181,14 @@ TEST_CASE(
 
 TEST_CASE("contact beside: at a hundred looks a second nothing shakes") {
     for (const ToolMethod method : kMethods) {
-        Live live(method, 100.0);
-        live.press();
-        CHECK(live.watched.most_step_N.load() < find_most_step_N(method));
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        live.watched.most_step_N.store(0.0);
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        CHECK(live.look().applied_W.force.y() > 2.0);
-        CHECK(live.watched.most_step_N.load() < kFades_N);
+        Stepped rig(method, 10);
+        rig.press();
+        CHECK(rig.watched.most_step_N < find_most_step_N(method));
+        rig.pass(300);
+        rig.watched.most_step_N = 0.0;
+        rig.pass(300);
+        CHECK(rig.look().applied_W.force.y() > 2.0);
+        CHECK(rig.watched.most_step_N < kFades_N);
     }
 }
 
@@ -198,27 +197,29 @@ TEST_CASE(
     "comes free and feels it "
     "again") {
     for (const ToolMethod method : kMethods) {
-        Live live(method);
-        live.press();
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        live.watched.most_step_N.store(0.0);
-        live.spoiled->stall_s.store(0.4);
-        // Held 0.1 s, faded 0.1 s later, as late as the machine makes it.
-        REQUIRE(live.await([&](const HapticState& state) {
-            return live.loop.contact_lateness()->n_late() > 0 &&
-                   state.applied_W.force.norm() == 0.0;
-        }));
-        CHECK(live.spoiled->n_stalls.load() == 1);
-        CHECK(live.watched.most_step_N.load() < kFades_N);
+        Stepped rig(method);
+        rig.press();
+        rig.pass(300);
+        rig.watched.most_step_N = 0.0;
+        rig.looks_every = 0;
+        // Held 0.1 s, and faded 0.1 s later.
+        rig.pass(90);
+        CHECK(rig.look().applied_W.force.y() > 2.0);
+        rig.pass(115);
+        CHECK(rig.loop.contact_lateness()->n_late() > 0);
+        CHECK(rig.look().applied_W.force == Vector3::Zero());
+        rig.pass(195);
+        rig.looks_every = 1;
+        CHECK(rig.watched.most_step_N < kFades_N);
         // It was let go inside the floor's reach, so nothing is felt until it has been outside.
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        CHECK(live.look().applied_W.force == Vector3::Zero());
-        CHECK(live.loop.contact_lateness()->age().max_s() > 0.1);
-        live.move_to(0.05);
-        REQUIRE(live.await(
+        rig.pass(500);
+        CHECK(rig.look().applied_W.force == Vector3::Zero());
+        CHECK(rig.loop.contact_lateness()->age().max_s() > 0.1);
+        rig.move_to(0.05);
+        REQUIRE(rig.await(
             [](const HapticState& state) { return state.tool_pose_W.position.y() > 0.045; }));
-        live.press();
-        CHECK(live.watched.most_step_N.load() < find_most_step_N(method));
+        rig.press();
+        CHECK(rig.watched.most_step_N < find_most_step_N(method));
     }
 }
 
@@ -226,27 +227,25 @@ TEST_CASE(
     "contact beside: without its thread a hand feels nothing for longer than 0.2 s, and is never "
     "caught inside") {
     for (const ToolMethod method : kMethods) {
-        Live live(method);
-        live.press();
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        live.watched.most_step_N.store(0.0);
-        live.contact.stop();
-        REQUIRE(live.await(
-            [](const HapticState& state) { return state.applied_W.force.norm() == 0.0; }));
-        const double silent_s = live.look().time_s;
-        REQUIRE(
-            live.await([&](const HapticState& state) { return state.time_s > silent_s + 0.5; }));
-        CHECK(live.look().applied_W.force == Vector3::Zero());
+        Stepped rig(method);
+        rig.press();
+        rig.pass(300);
+        rig.watched.most_step_N = 0.0;
+        rig.looks_every = 0;
+        rig.pass(205);
+        CHECK(rig.look().applied_W.force == Vector3::Zero());
+        rig.pass(500);
+        CHECK(rig.look().applied_W.force == Vector3::Zero());
         // Up, down into the floor and up again: no answers, no force.
         for (const double height_m : {0.05, 0.005, 0.05}) {
-            live.move_to(height_m);
-            REQUIRE(live.await([&](const HapticState& state) {
+            rig.move_to(height_m);
+            REQUIRE(rig.await([&](const HapticState& state) {
                 return std::abs(state.tool_pose_W.position.y() - height_m) < 0.003;
             }));
-            CHECK(live.look().applied_W.force == Vector3::Zero());
+            CHECK(rig.look().applied_W.force == Vector3::Zero());
         }
-        CHECK(live.watched.most_step_N.load() < kFades_N);
-        CHECK(live.look().faults == Fault::none);
+        CHECK(rig.watched.most_step_N < kFades_N);
+        CHECK(rig.look().faults == Fault::none);
     }
 }
 
