@@ -4,6 +4,9 @@
 // Thread: any. Cost: reads what was found before main.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 // Whether the compiler builds kernels for more than the least processor, by its target pragma.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define FULCRUM_WIDER_KERNELS 1
@@ -29,6 +32,16 @@ namespace fulcrum {
 #else
     return false;
 #endif
+}
+
+/// Of the versions of a kernel, the plain one first and null where this processor lacks what one needs: the last that it has.
+template <class Version, std::size_t N>
+[[nodiscard]] constexpr Version widest_of(const std::array<Version, N>& versions) noexcept {
+    Version widest = versions.front();
+    for (const Version version : versions) {
+        widest = version != nullptr ? version : widest;
+    }
+    return widest;
 }
 
 /// The widest kernels that are taken, for people.

@@ -44,8 +44,7 @@ std::array<const Kernels*, 2> all_kernels() noexcept {
 }
 
 const Kernels& best_kernels() noexcept {
-    const auto [plain, wider] = all_kernels();
-    return wider != nullptr ? *wider : *plain;
+    return *widest_of(all_kernels());
 }
 
 // F = (n.u/|u|) u for b = 1, and its moment. With w = u/|u|, w_T and w_O the spins of tool and object:

@@ -92,8 +92,8 @@ std::array<LowerSquares, 2> all_lower_squares() noexcept {
 }
 
 void lower_squares(const BandTriangle& triangle, float band, BrickDistances& squares) noexcept {
-    const auto [plain, wider] = all_lower_squares();
-    (wider != nullptr ? wider : plain)(triangle, band, squares);
+    static const LowerSquares widest = widest_of(all_lower_squares());
+    widest(triangle, band, squares);
 }
 
 }  // namespace fulcrum

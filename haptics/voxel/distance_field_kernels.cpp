@@ -80,8 +80,7 @@ std::array<const FieldKernels*, 3> all_field_kernels() noexcept {
 }
 
 const FieldKernels& best_field_kernels() noexcept {
-    const auto [plain, avx2, avx512] = all_field_kernels();
-    return avx512 != nullptr ? *avx512 : avx2 != nullptr ? *avx2 : *plain;
+    return *widest_of(all_field_kernels());
 }
 
 }  // namespace fulcrum
