@@ -5,6 +5,7 @@
 #include "runtime/lua/sandbox/safe_library.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -190,6 +191,27 @@ PlainArgument check_plain(lua_State* lua, const Parameter& parameter, std::strin
     return argument;
 }
 
+bool holds_function(const PlainArgument& argument) {
+    return argument.stack_index != 0;
+}
+bool holds_function(const Argument& argument) {
+    return argument.stack_index != 0 ||
+           std::ranges::any_of(argument.fields, [](const auto& of) { return holds_function(of); });
+}
+
+/// A field of the record at `record` by `check(its index)`. Nothing of it stays on the stack, but what holds a function for the call.
+template <class Check>
+auto check_field(lua_State* lua, int record, const char* name, Check check) {
+    const int top = lua_gettop(lua);
+    lua_pushstring(lua, name);
+    lua_rawget(lua, record);
+    auto argument = check(top + 1);
+    if (!holds_function(argument)) {
+        lua_settop(lua, top);
+    }
+    return argument;
+}
+
 std::vector<PlainArgument> check_record(lua_State* lua, const Place& place) {
     if (!lua_istable(lua, place.index)) {
         refuse(lua, place, given_text(lua, place.index));
@@ -198,10 +220,9 @@ std::vector<PlainArgument> check_record(lua_State* lua, const Place& place) {
     check_field_names(lua, place.index, place.label, fields);
     std::vector<PlainArgument> arguments;
     for (const Parameter& field : fields) {
-        lua_pushstring(lua, field.name);
-        lua_rawget(lua, place.index);
-        arguments.push_back(
-            check_plain(lua, field, place.label + '.' + field.name, lua_gettop(lua)));
+        arguments.push_back(check_field(lua, place.index, field.name, [&](int index) {
+            return check_plain(lua, field, place.label + '.' + field.name, index);
+        }));
     }
     return arguments;
 }
@@ -223,6 +244,7 @@ Vector3 check_vector(lua_State* lua, const Place& place) {
         refuse(lua, place, given_text(lua, place.index));
     }
     constexpr const char* kAxes[] = {"x", "y", "z"};
+    const int top = lua_gettop(lua);
     Vector3 v = Vector3::Zero();
     for (int i = 0; i < 3; ++i) {
         if (lua_type(lua, place.index) != LUA_TTABLE ||
@@ -237,7 +259,7 @@ Vector3 check_vector(lua_State* lua, const Place& place) {
         if (!(v[i] >= place.parameter.low && v[i] <= place.parameter.high)) {
             refuse(lua, place, given_text(lua, -1) + " for " + kAxes[i]);
         }
-        lua_settop(lua, std::max(place.index, lua_gettop(lua) - 1));
+        lua_settop(lua, top);
     }
     return v;
 }
@@ -310,11 +332,14 @@ Arguments check_arguments(lua_State* lua, int first, const Binding& binding) {
     check_field_names(lua, record, binding.name, parameters.subspan(n_positional));
     for (std::size_t i = n_positional; i < binding.parameters.size(); ++i) {
         const Parameter& parameter = binding.parameters[i];
-        lua_pushstring(lua, parameter.name);
-        lua_rawget(lua, record);
-        values.push_back(check_one(lua, parameter, std::string(binding.name) + '.' + parameter.name,
-                                   lua_gettop(lua)));
+        values.push_back(check_field(lua, record, parameter.name, [&](int index) {
+            return check_one(lua, parameter, std::string(binding.name) + '.' + parameter.name,
+                             index);
+        }));
     }
+    assert(lua_gettop(lua) == record || std::ranges::any_of(values, [](const Argument& argument) {
+               return holds_function(argument);
+           }));
     return {binding.parameters, std::move(values)};
 }
 

@@ -1,6 +1,7 @@
 // Makes Lua functions and objects out of the binding table.
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/stack_room.h"
 #include "runtime/lua/sandbox/safe_library.h"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ int call_checked(lua_State* lua, const Binding& binding) {
 
 int call_binding(lua_State* lua) {
     const auto& binding = *static_cast<const Binding*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    const StackRoom room(lua);
     ScriptState::of(lua).charge(lua, kCallWork);
     check_receiver(lua, binding);
     check_time(lua, binding);
@@ -142,6 +144,7 @@ std::vector<std::string> names_of(std::string_view owner) {
 
 /// object.name: upvalue 1 holds the methods, upvalue 2 the properties.
 int index_handle(lua_State* lua) {
+    const StackRoom room(lua);
     const Handle* handle = to_handle(lua, 1);
     lua_pushvalue(lua, 2);
     if (handle != nullptr && lua_rawget(lua, lua_upvalueindex(1)) != LUA_TNIL) {
