@@ -69,6 +69,17 @@ Expected<void> QuestionTrials::try_help(const QuestionDescription& described,
     return {};
 }
 
+bool QuestionTrials::note_unanswerable(const QuestionDescription& described,
+                                       const dialogue::Meanings& meanings) {
+    if (!meanings.some.empty()) {
+        return false;
+    }
+    notes_.push_back(line_of(described) +
+                     ": nobody can answer this question, for not even a sentence of its own "
+                     "`answers` is understood; write shorter ones.");
+    return true;
+}
+
 void QuestionTrials::try_open_one(double now_s) {
     const dialogue::Question* const open = run_.session().question();
     const SessionHud& hud = run_.session().hud();
@@ -79,6 +90,9 @@ void QuestionTrials::try_open_one(double now_s) {
     const auto& all = run_.description().questions;
     const auto described = std::ranges::find(all, open->id, &QuestionDescription::id);
     const dialogue::Meanings meanings = dialogue::meanings_of(*open, kMostMeanings);
+    if (note_unanswerable(*described, meanings)) {
+        return;
+    }
     const auto n_right = count_right(*described, meanings.some);
     if (!n_right) {
         failed_ = n_right.error();
@@ -106,6 +120,9 @@ void QuestionTrials::try_others() {
         }
         const dialogue::Question& question = questions->at(described.id);
         const auto meanings = dialogue::meanings_of(question, kMostMeanings);
+        if (note_unanswerable(described, meanings)) {
+            continue;
+        }
         const auto n_right = count_right(described, meanings.some);
         Expected<void> tried;
         if (!n_right) {

@@ -34,6 +34,9 @@ class QuestionTrials {
     /// How many of the meanings are right.
     [[nodiscard]] Expected<std::size_t> count_right(const QuestionDescription& described,
                                                     const std::vector<dialogue::Meaning>& meanings);
+    /// Notes a question whose own sentences mean nothing.
+    bool note_unanswerable(const QuestionDescription& described,
+                           const dialogue::Meanings& meanings);
     /// Notes help that says what is right, where something else could be said.
     [[nodiscard]] Expected<void> try_help(const QuestionDescription& described,
                                           const dialogue::Question& question);

@@ -103,6 +103,26 @@ TEST_CASE(
     CHECK(later.output.find("the play did not come to it") != std::string::npos);
 }
 
+TEST_CASE(
+    "check: a question whose own sentence is too long to be understood is told, asked or not") {
+    std::string words = "it is";
+    for (int i = 1; i < 24; ++i) {
+        words += " b" + std::to_string(i);
+    }
+    const std::string asked =
+        lesson_with("answers = { \"" + words + "\" }, right = function(a) return true end");
+    std::string unasked = asked;
+    unasked.replace(unasked.find("game.ask \"second\""), 17, "world:finish { stars = 3 } ");
+    for (const std::string& text : {asked, unasked}) {
+        const ProgramRun told = check(text);
+        INFO(told.output);
+        CHECK(told.exit_code == 0);
+        CHECK(told.output.find(
+                  "lesson.lua:8: question \"second\": nobody can answer this question") !=
+              std::string::npos);
+    }
+}
+
 TEST_CASE("check: help that says what is right is told, help that leaves a choice is not") {
     const std::string lists = "lists = { feel = { \"hard\", \"rough\" } }, ";
     const ProgramRun told =
