@@ -4,6 +4,7 @@
 #include "runtime/lua/api/hinge_place.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
+#include "runtime/lua/wire/wire.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,12 @@ void move_body(lua_State* lua, LessonContext& context, Kind kind, const Argument
     WorldCommand move;
     move.kind = kind;
     move.body = to_handle(lua, 1)->index;
-    move.position_W =
-        at != nullptr && at->given ? at->vector : state_of(context, move.body).pose_W.position;
+    // Where it is now may be farther than a lesson may say.
+    move.position_W = at != nullptr && at->given
+                          ? at->vector
+                          : Vector3(state_of(context, move.body)
+                                        .pose_W.position.cwiseMax(-kMaxCoordinate_m)
+                                        .cwiseMin(kMaxCoordinate_m));
     move.velocity_W = velocity;
     const BodyDescription& body = description_of(context, move.body);
     if (body.rigid && kind == Kind::hold) {

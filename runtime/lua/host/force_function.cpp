@@ -60,15 +60,15 @@ Wrench slope(lua_State* lua, int function_ref, double& moved, double step) {
             (ahead.torque - behind.torque) / (2.0 * step)};
 }
 
-/// A longer vector keeps its direction.
-void shorten(Vector3& v, double limit) {
-    if (const double length = v.norm(); length > limit) {
-        v *= limit / length;
-    }
-}
-
 Vector3 limited(const Vector3& column, double limit) {
     return column.cwiseMax(-limit).cwiseMin(limit);
+}
+
+/// A longer vector keeps its direction; no number of it is beyond the limit, as rounding might have it.
+void shorten(Vector3& v, double limit) {
+    if (const double length = v.norm(); length > limit) {
+        v = limited(v * (limit / length), limit);
+    }
 }
 
 }  // namespace

@@ -30,6 +30,10 @@ TEST_CASE("bodies: moves carry body, place and velocity; where it is now is the 
     CHECK((moves[3].move.kind == Kind::hold && moves[3].move.body == 1));
     CHECK((moves[4].move.kind == Kind::hide && moves[4].move.body == 0));
     CHECK((moves[5].move.kind == Kind::release && moves[5].move.body == kNoBody));
+    // Farther away than a lesson may say it is put as far as that.
+    frame.bodies[1].pose_W.position = Vector3(3.0, 2.0e4, -1.1e4);
+    REQUIRE(lesson.play(frame) == "");
+    CHECK(lesson.commands<MoveCommand>().at(0).move.position_W == Vector3(3.0, 1.0e4, -1.0e4));
 }
 
 TEST_CASE("bodies: fields tell how things stand") {

@@ -59,6 +59,13 @@ TEST_CASE("force function: jumps and giants are limited, with their direction ke
     CHECK(force.force_W.norm() == Approx(kMaxLessonForce_N));
     CHECK(force.force_W.x() == Approx(0.6 * kMaxLessonForce_N));
     CHECK(force.stiffness_N_per_m(0, 0) == kMaxLessonStiffness_N_per_m);
+    // Of whatever length: no number is beyond what the program takes, by a bit of rounding either.
+    for (int newtons = 101; newtons < 400; ++newtons) {
+        const LinearisedWrench along = force_of("return 0, -" + std::to_string(newtons) + ", 0",
+                                                Vector3::Zero(), Vector3::Zero());
+        REQUIRE(along.force_W.y() >= -kMaxLessonForce_N);
+        REQUIRE(along.force_W.y() < -kMaxLessonForce_N * (1.0 - 1.0e-15));
+    }
 }
 
 TEST_CASE("force function: the tool is as it was afterwards") {
