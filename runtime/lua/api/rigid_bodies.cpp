@@ -11,7 +11,8 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr double kLeastMass_kg = 0.001;  // a lighter one is no thing that a hand could feel
+constexpr double kLeastFalling_kg = 1.0e-6;  // as WorldPlan has it
+constexpr double kLeastMass_kg = 0.001;      // a lighter one is no thing that a hand could feel
 constexpr double kMostTravel = 1.0e4;
 
 constexpr Parameter kJoint[] = {
@@ -238,6 +239,12 @@ void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& a
                 raise_in_lesson(
                     lua, body.name + " has a " + name + " and is not rigid; add rigid = true");
             }
+        }
+        if (body.movable && body.mass_kg < kLeastFalling_kg) {
+            raise_in_lesson(lua,
+                            body.name +
+                                " is movable and has no mass that could fall; give it a mass of "
+                                "0.000001 kg or more");
         }
         return;
     }

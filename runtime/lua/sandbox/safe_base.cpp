@@ -128,13 +128,13 @@ int safe_require(lua_State* lua) {
     lua_getfield(lua, LUA_REGISTRYINDEX, kLoaded);
     if (lua_getfield(lua, 2, name) == LUA_TNIL) {
         lua_pop(lua, 1);
-        // While it is loading it is marked, so that a circle is seen.
-        lua_pushboolean(lua, 0);
+        // While it is loading it is marked by what no module can return, so that a circle is seen.
+        lua_pushlightuserdata(lua, &ScriptState::of(lua));
         lua_setfield(lua, 2, name);
         run_module(lua, name);
         lua_pushvalue(lua, -1);
         lua_setfield(lua, 2, name);
-    } else if (lua_isboolean(lua, -1) && lua_toboolean(lua, -1) == 0) {
+    } else if (lua_islightuserdata(lua, -1)) {
         raise_in_lesson(lua,
                         std::string("the module \"") + clean_text(name, 40) + "\" requires itself");
     }

@@ -14,6 +14,7 @@ TEST_CASE("safe base: require asks once, gives what the module returned, and see
         ++n_asked;
         return name == "circle" ? ModuleAnswer{true, {"circle.lua", "return require 'circle'"}, ""}
                : name == "five" ? ModuleAnswer{true, {"five.lua", "return { n = 5 }"}, ""}
+               : name == "no"   ? ModuleAnswer{true, {"no.lua", "return false"}, ""}
                : name == "nothing" ? ModuleAnswer{true, {"nothing.lua", ""}, ""}
                                    : ModuleAnswer{false, {}, "it is not there"};
     };
@@ -21,6 +22,7 @@ TEST_CASE("safe base: require asks once, gives what the module returned, and see
     CHECK(run(state, "return require('five').n + require('five').n") == "10");
     CHECK(n_asked == 1);
     CHECK(run(state, "return tostring(require 'nothing')") == "true");
+    CHECK(run(state, "return tostring(require 'no') .. tostring(require 'no')") == "falsefalse");
     CHECK(run(state, "require 'circle'") == "circle.lua:1: the module \"circle\" requires itself.");
     CHECK(run(state, "require 'other'") ==
           "test.lua:1: require \"other\" failed: it is not there.");
