@@ -164,7 +164,8 @@ struct Record : RecordRounds {
     std::vector<RecordRounds> more_hands;    ///< as many as the header has
     std::vector<RecordEvent> events;
     std::vector<RecordBody> bodies;
-    bool cut_off = false;  ///< the end was missing; what is here is whole
+    bool cut_off = false;  ///< the end was missing or damaged; what is here is whole
+    std::string fault;     ///< what was wrong, then: "the record is damaged: …"
 
     /// What each effect added to the force of a sample.
     [[nodiscard]] std::span<const Wrench> shares_of(std::size_t sample) const {

@@ -359,9 +359,10 @@ Expected<Record> recover_record(std::span<const std::byte> bytes) {
     if (auto header = reader.read_header(); !header) {
         return tl::unexpected<Error>(header.error());
     }
-    const bool cut_off = reader.read_blocks().has_value();
+    const Problem problem = reader.read_blocks();
     Record record = reader.take();
-    record.cut_off = cut_off;
+    record.cut_off = problem.has_value();
+    record.fault = problem.value_or("");
     return record;
 }
 

@@ -36,8 +36,8 @@ Expected<std::vector<ForceAccount>> find_accounts(const Record& record, double t
 Expected<Record> load_told(const std::string& path) {
     auto record = load_record(path);
     if (record && record->cut_off) {
-        std::fprintf(stderr, "%s: the record was cut off; its first %zu rounds are whole.\n",
-                     path.c_str(), record->samples.size());
+        std::fprintf(stderr, "%s: %s; its first %zu rounds are whole.\n", path.c_str(),
+                     record->fault.c_str(), record->samples.size());
     }
     return record;
 }

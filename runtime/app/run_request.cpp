@@ -172,7 +172,13 @@ Expected<RunRequest> with_record(RunRequest request) {
     if (request.hand != HandKind::replay) {
         return request;
     }
-    return load_record(request.hand_file.string()).map([&](Record&& record) {
+    auto loaded = load_record(request.hand_file.string());
+    if (loaded && loaded->samples.empty()) {
+        return fail(
+            "the record holds no round of the hand" + (loaded->cut_off ? ": " + loaded->fault : ""),
+            request.hand_file.string(), "record the run again");
+    }
+    return std::move(loaded).map([&](Record&& record) {
         const auto number = [&](const char* name, auto& value) {
             if (const auto text = find_fact(record.header, name)) {
                 auto read = value;

@@ -60,6 +60,13 @@ TEST_CASE(
     "bit") {
     const Sandbox sandbox;
     check_repeats(sandbox, "gravity", "12");
+    // Its header, and not a round.
+    sandbox.write("cut.rec", bytes_of(sandbox.path("a.rec")).substr(0, 5000));
+    const ProgramRun cut = sandbox.run("run gravity --headless --hand replay:cut.rec");
+    INFO(cut.output);
+    CHECK(cut.exit_code == 1);
+    CHECK(cut.output.find("the record holds no round of the hand: the record is cut off") !=
+          std::string::npos);
     check_repeats(sandbox, "textures", "6");
     check_repeats(sandbox, "kite", "4");
     check_repeats(sandbox, "lever", "5");

@@ -147,6 +147,13 @@ TEST_CASE("record: those of versions 1 to 4 are read, each with the faults that 
     const auto recovered = recover_record(cut);
     REQUIRE(recovered);
     CHECK((recovered->cut_off && recovered->samples.size() == 2 && recovered->events.empty()));
+    CHECK(recovered->fault == "the record is cut off in the middle of a block");
+    auto flipped = record_of(Fault::none, 3);
+    flipped[flipped.size() - 40] ^= std::byte{1};
+    const auto damaged = recover_record(flipped);
+    REQUIRE(damaged);
+    CHECK((damaged->cut_off && damaged->samples.size() == 2));
+    CHECK(damaged->fault == "the record is damaged: a block's checksum does not fit");
 }
 
 TEST_CASE("record: hostile blocks are refused, each with its sentence") {
