@@ -4,69 +4,33 @@
 # Ends with 0 where all went well, with 1 where something did not, with 77 where it could not be tried: "not run: reason".
 set -euo pipefail
 
-not_run() {
-    echo "not run: $*"
-    exit 77
-}
-[[ $EUID -eq 0 ]] || not_run "only root may make a bare Debian; start it with sudo"
-command -v debootstrap >/dev/null || not_run "debootstrap is missing; packages-package.txt names it"
-unshare --mount --pid --fork true 2>/dev/null || not_run "this machine allows no mounts of one's own"
+# shellcheck source=packaging/bare_debian.sh
+. "$(dirname -- "$(readlink -f -- "$0")")/bare_debian.sh"
+need_bare_debian
 
 deb=$(readlink -f -- "$1")
-mkdir -p "$2/archives/partial"
+mkdir -p "$2"
 kept=$(cd -- "$2" && pwd)
-suite=bookworm
 
 bare=$(mktemp -d -p "$kept" bare.XXXXXX)
 screen=
 clean() {
     [[ -z $screen ]] || kill "$screen" 2>/dev/null || true
-    # Every mount ended with the process that made it.
     rm -rf --one-file-system -- "$bare"
 }
 trap clean EXIT
 log=$kept/try.log
 : >"$log"
 
-# inside COMMAND…: in the bare Debian, with what a program may expect of the kernel, and nothing else of this machine but its screen.
-inside() {
-    # shellcheck disable=SC2016 # the inner shell's
-    unshare --mount --propagation private --pid --fork --kill-child bash -euc '
-        bare=$1 kept=$2 x=$3
-        shift 3
-        mount -t proc proc "$bare/proc"
-        mount -t tmpfs -o mode=755 dev "$bare/dev"
-        for device in null zero full random urandom; do
-            touch "$bare/dev/$device" && mount --bind "/dev/$device" "$bare/dev/$device"
-        done
-        mkdir "$bare/dev/shm" && mount -t tmpfs -o mode=1777 shm "$bare/dev/shm"
-        ln -s /proc/self/fd "$bare/dev/fd"
-        ln -s /proc/self/fd/1 "$bare/dev/stdout"
-        mount --bind "$kept/archives" "$bare/var/cache/apt/archives"
-        if [ -d "$x" ]; then mkdir -p "$bare$x" && mount --bind "$x" "$bare$x"; fi
-        exec chroot "$bare" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"
-    ' - "$bare" "$kept" "${TMPDIR:-/tmp}/.X11-unix" "$@"
-}
+# Nothing else of this machine but its screen.
+x=${TMPDIR:-/tmp}/.X11-unix
+shown=("$x" "$x")
 # pupil SCRIPT: as an ordinary user, in the home folder.
 pupil() { inside setpriv --reuid pupil --regid pupil --init-groups env HOME=/pupil DISPLAY="${display:-}" sh -euc "cd; $1"; }
 
 # ---- a bare Debian ---------------------------------------------------------------------------------------------------
 
-apt="apt-get -y -qq -o Dpkg::Use-Pty=0 -o APT::Sandbox::User=root"
-if [[ ! -f $kept/base.tar ]]; then
-    # shellcheck disable=SC2016 # apt's own
-    mirror=$(apt-get indextargets --format '$(SITE) $(CODENAME)' 'Created-By: Packages' | awk -v suite="$suite" '$2 == suite { print $1; exit }')
-    [[ -n $mirror ]] || not_run "apt knows no mirror of Debian $suite"
-    echo "Fetching a bare Debian …"
-    debootstrap --variant=minbase "$suite" "$bare" "$mirror" >>"$log" 2>&1 ||
-        not_run "a bare Debian could not be fetched: $(tail -n 1 "$log")"
-    # shellcheck disable=SC2086 # several words
-    inside $apt update >>"$log" 2>&1 || not_run "the lists of packages could not be fetched: $(tail -n 1 "$log")"
-    tar --numeric-owner --one-file-system -C "$bare" -cf "$kept/base.tar.part" . && mv "$kept/base.tar.part" "$kept/base.tar"
-else
-    tar --numeric-owner -C "$bare" -xpf "$kept/base.tar"
-fi
-chmod 755 "$bare"
+unpack_bare_debian
 cp "$deb" "$bare/fulcrum.deb"
 # shellcheck disable=SC2086
 if ! inside $apt install --download-only /fulcrum.deb >"$kept/fetch.log" 2>&1; then
@@ -78,25 +42,11 @@ fi
 
 # ---- a claim a line --------------------------------------------------------------------------------------------------
 
-failed=0
 left_out=0
 # leave_out WORDS REASON
 leave_out() {
     echo "  not run: $1: $2"
     left_out=$((left_out + 1))
-}
-# claim WORDS COMMAND…: what it says is in said.log.
-claim() {
-    local words=$1
-    shift
-    if "$@" >"$kept/said.log" 2>&1; then
-        echo "  passed: $words"
-    else
-        echo "  FAILED: $words"
-        tail -n 15 "$kept/said.log" | sed 's/^/    /'
-        failed=1
-    fi
-    cat "$kept/said.log" >>"$log"
 }
 
 begun=$SECONDS
