@@ -26,6 +26,10 @@ add_library(fulcrum_options INTERFACE)
 # a*b+c, no fast math: the same source gives the same numbers on every machine.
 target_compile_options(fulcrum_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
                                                  -Wshadow $<$<BOOL:${FULCRUM_WERROR}>:-Werror>)
+if(NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  # Arm's char has no sign; and its g++ tells at each call of a class of numbers that an old one passed it otherwise.
+  target_compile_options(fulcrum_options INTERFACE -fsigned-char -Wno-psabi)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # g++ 12 sees overlaps and overruns where there are none in its own std::string (its bug 105651 and relatives), and
   # says so once that comes from a precompiled header. AddressSanitizer and clang-tidy look for real ones.

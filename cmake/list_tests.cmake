@@ -1,4 +1,5 @@
-# Read by ctest: asks `program` for its test cases and registers each, named `prefix` + name, with `properties`.
+# Read by ctest: asks `program` for its test cases and registers each, named `prefix` + name, with `properties`. A program for another
+# processor is started by `emulator`.
 set(list_file ${program}.tests.cmake)
 if(NOT EXISTS ${program})
   cmake_path(GET program FILENAME name)
@@ -7,7 +8,7 @@ if(NOT EXISTS ${program})
 endif()
 if(${program} IS_NEWER_THAN ${list_file} OR ${CMAKE_CURRENT_LIST_FILE} IS_NEWER_THAN ${list_file} OR
    ${CMAKE_PARENT_LIST_FILE} IS_NEWER_THAN ${list_file})
-  execute_process(COMMAND ${program} --list-test-names-only RESULT_VARIABLE status OUTPUT_VARIABLE names)
+  execute_process(COMMAND ${emulator} ${program} --list-test-names-only RESULT_VARIABLE status OUTPUT_VARIABLE names)
   set(script "")
   set(count 0)
   while(names MATCHES "^([^\n]+)\n")
@@ -17,7 +18,7 @@ if(${program} IS_NEWER_THAN ${list_file} OR ${CMAKE_CURRENT_LIST_FILE} IS_NEWER_
     math(EXPR count "${count} + 1")
     # Catch2 reads its argument as a pattern.
     string(REGEX REPLACE "([],\\[\"])" "\\\\\\1" pattern "${name}")
-    string(APPEND script "add_test([==[${prefix}${name}]==] [==[${program}]==] [==[${pattern}]==])\n"
+    string(APPEND script "add_test([==[${prefix}${name}]==] ${emulator} [==[${program}]==] [==[${pattern}]==])\n"
            "set_tests_properties([==[${prefix}${name}]==] PROPERTIES ${properties})\n")
   endwhile()
   # The program returns the number of its tests, 255 where there are more.
