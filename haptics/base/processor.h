@@ -14,25 +14,11 @@
 
 namespace fulcrum {
 
-/// Eight numbers of single precision at once. False where the compiler could not use it.
-[[nodiscard]] inline bool has_avx2() noexcept {
-#ifdef FULCRUM_WIDER_KERNELS
-    return __builtin_cpu_supports("avx2") != 0;
-#else
-    return false;
-#endif
-}
+/// Eight numbers of single precision at once. False where the compiler of this library could not use it.
+[[nodiscard]] bool has_avx2() noexcept;
 
 /// Sixteen, and AVX2. Likewise.
-[[nodiscard]] inline bool has_avx512() noexcept {
-#ifdef FULCRUM_WIDER_KERNELS
-    return has_avx2() && __builtin_cpu_supports("avx512f") != 0 &&
-           __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
-           __builtin_cpu_supports("avx512bw") != 0;
-#else
-    return false;
-#endif
-}
+[[nodiscard]] bool has_avx512() noexcept;
 
 /// Of the versions of a kernel, the plain one first and null where this processor lacks what one needs: the last that it has.
 template <class Version, std::size_t N>
