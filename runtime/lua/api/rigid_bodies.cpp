@@ -222,6 +222,21 @@ void take_models(lua_State* lua, const Arguments& arguments, BodyDescription& bo
     }
 }
 
+// What only a rigid body has, and a mass that no movable one could fall with.
+void refuse_rigid_fields(lua_State* lua, const Arguments& arguments, const BodyDescription& body) {
+    for (const char* name : {"density", "joint"}) {
+        if (arguments[name].given) {
+            raise_in_lesson(lua,
+                            body.name + " has a " + name + " and is not rigid; add rigid = true");
+        }
+    }
+    if (body.movable && body.mass_kg < kLeastFalling_kg) {
+        raise_in_lesson(lua, body.name +
+                                 " is movable and has no mass that could fall; give it a mass of "
+                                 "0.000001 kg or more");
+    }
+}
+
 }  // namespace
 
 std::span<const Parameter> joint_parameters() {
@@ -234,18 +249,7 @@ void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& a
     take_size(lua, arguments["size"], body);
     take_boxes(lua, arguments, body);
     if (!arguments["rigid"].flag) {
-        for (const char* name : {"density", "joint"}) {
-            if (arguments[name].given) {
-                raise_in_lesson(
-                    lua, body.name + " has a " + name + " and is not rigid; add rigid = true");
-            }
-        }
-        if (body.movable && body.mass_kg < kLeastFalling_kg) {
-            raise_in_lesson(lua,
-                            body.name +
-                                " is movable and has no mass that could fall; give it a mass of "
-                                "0.000001 kg or more");
-        }
+        refuse_rigid_fields(lua, arguments, body);
         return;
     }
     if (body.movable || arguments["hinge"].given) {
