@@ -42,10 +42,15 @@ class StopSwitch {
                             unseen_.exchange(false, std::memory_order_acq_rel);
         return unseen || is_pressed();
     }
+    /// The reader, each round: whether it is stopped and nothing is left of its force. Wait-free.
+    void tell_still(bool is_still) noexcept { still_.store(is_still, std::memory_order_release); }
+    /// As of the reader's last round. Any thread; wait-free.
+    [[nodiscard]] bool is_still() const noexcept { return still_.load(std::memory_order_acquire); }
 
   private:
     std::atomic<bool> pressed_{false};
     std::atomic<bool> unseen_{false};
+    std::atomic<bool> still_{false};
 };
 
 /// What one haptic loop reads and writes besides its device. Made before the loop, outlives it.
@@ -81,6 +86,8 @@ struct HapticChannels {
     std::atomic<bool> ended{false};
     /// Set while the stop of another hand of this run holds: as if it were this one's. Writer: the round of all hands.
     std::atomic<bool> other_stopped{false};
+    /// Cleared while another hand of this run has a force or may get one, so that `emergency_stop` tells of all. Same writer.
+    std::atomic<bool> others_still{true};
     /// Writer: haptic loop; reader: recorder. Null where nothing is recorded, and where the loops take turns under a virtual clock.
     ToldRings* told = nullptr;
 };

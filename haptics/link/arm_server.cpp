@@ -267,9 +267,11 @@ void ArmServer::drive() noexcept {
         now_.gone_after_s = now_s_ - command_age_from_s_;
     }
     // What this finds comes after the gate, and so fades the force from the next round on.
-    if (!arm_.write(now_s_, applied_D_)) {
+    const bool is_written = arm_.write(now_s_, applied_D_);
+    if (!is_written) {
         late_faults_ = Fault::device_write;
     }
+    stop_.tell_still(is_written && gate_.is_still());
 }
 
 void ArmServer::tell_state() noexcept {

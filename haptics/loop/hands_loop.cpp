@@ -1,5 +1,6 @@
 #include "haptics/loop/hands_loop.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 
@@ -10,6 +11,10 @@ template <class StepOne>
 void HandsLoop::run_round(const StepOne& step_one) noexcept {
     const HandInRound& first = hands_.front();
     const bool was_stopped = first.loop->state().gate == GatePhase::stopped;
+    first.channels->others_still.store(
+        std::all_of(hands_.begin() + 1, hands_.end(),
+                    [](const HandInRound& other) { return other.loop->is_still(); }),
+        std::memory_order_release);
     for (std::size_t i = 0; i < hands_.size(); ++i) {
         HapticChannels& channels = *hands_[i].channels;
         if (i > 0) {

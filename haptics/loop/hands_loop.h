@@ -2,7 +2,8 @@
 //
 //   step(t):  loop 1, loop 2 …, each with its own device, proxy or tool, coupling, guard and gate
 //             a stop of one is a stop of all, as long as it is held: those after it in the same round, those before it in the next;
-//             they tell Fault::other_stopped, and emergency_stop only of their own
+//             they tell Fault::other_stopped, and emergency_stop only of their own; that nothing is left of any force the first one's
+//             switch tells, of all
 //             what is said to the first one's channels, that the lesson failed, that the run is over, that a stop is lifted, is said to all
 // Any other fault is a hand's own: its force fades, the others go on as if it had let go. What they hold may fall; each of them is kept
 // within its own limits whatever the others do, so there is nothing that their going on could add.

@@ -351,9 +351,13 @@ void HapticLoop::limit_forces() noexcept {
 
 void HapticLoop::write_device() noexcept {
     // What this finds comes after the gate, and so fades the force from the next round on.
-    if (!device_.write(now_s_, applied_D_)) {
+    const bool is_written = device_.write(now_s_, applied_D_);
+    if (!is_written) {
         late_faults_ |= Fault::device_write;
     }
+    is_still_ = is_written && gate_.is_still();
+    channels_.emergency_stop.tell_still(is_still_ &&
+                                        channels_.others_still.load(std::memory_order_acquire));
     state_.applied_W = compute_world_wrench(plan_.workspace, applied_D_);
     if (passivity_) {
         passivity_->sent(state_.applied_W);

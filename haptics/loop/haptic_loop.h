@@ -78,6 +78,8 @@ class HapticLoop final : public PeriodicTask {
 
     /// What was published last.
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
+    /// Whether the last round left it stopped, with no force at the device.
+    [[nodiscard]] bool is_still() const noexcept { return is_still_; }
     /// What may add to the force, in the order of the shares that are told.
     [[nodiscard]] const std::vector<EffectSlot>& effects() const noexcept { return effects_; }
     /// The last gate's limits: the plan's, and no more than the device can give.
@@ -179,6 +181,7 @@ class HapticLoop final : public PeriodicTask {
     bool heard_world_ = false;
     bool lift_waits_ = false;          // a stop's lifting was asked for in an earlier round
     Fault late_faults_ = Fault::none;  // found after the gate of the last round
+    bool is_still_ = false;
     // Read: the newest good pose, and the newest that the device told, for the record.
     DeviceReading reading_{};
     DeviceReading told_{};

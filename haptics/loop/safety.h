@@ -66,6 +66,11 @@ class SafetyGate {
     /// True while a fade, of a fault or of a stop, has not come to zero.
     [[nodiscard]] bool is_fading() const noexcept;
 
+    /// Whether it is stopped and the fade has come to zero: nothing is let through until `reset`.
+    [[nodiscard]] bool is_still() const noexcept {
+        return phase_ == GatePhase::stopped && !is_fading();
+    }
+
     /// How far forces are let through now.
     [[nodiscard]] GatePhase phase() const noexcept { return phase_; }
     /// Faults that the last `pass` saw: those handed in and those it found itself.

@@ -198,18 +198,28 @@ int stop_command(const Options& options) {
     if (!stopped) {
         return complain(stopped.error(), 1);
     }
-    if (*stopped == 0 && options.only_process) {
+    const std::size_t n_silent = stopped->silent.size();
+    if (stopped->n_stopped + n_silent == 0 && options.only_process) {
         std::fprintf(
             stderr,
             "Process %d moves no hand of yours: nothing was stopped. Without --only all are.\n",
             *options.only_process);
         return 1;
     }
-    std::printf(*stopped == 0
-                    ? "Nothing of yours is running that moves a hand.\n"
-                    : "Stopped: %zu. Enter in its window, or at the arm, lets it go on.\n",
-                *stopped);
-    return 0;
+    if (stopped->n_stopped > 0) {
+        std::printf("Stopped: %zu. Enter in its window, or at the arm, lets it go on.\n",
+                    stopped->n_stopped);
+    } else if (n_silent == 0) {
+        std::printf("Nothing of yours is running that moves a hand.\n");
+    }
+    for (const pid_t id : stopped->silent) {
+        std::fprintf(
+            stderr,
+            "Process %d was told to stop and has not said that its force is gone; if a hand "
+            "is pushed still, switch the arm off.\n",
+            static_cast<int>(id));
+    }
+    return n_silent == 0 ? 0 : 1;
 }
 
 }  // namespace fulcrum::runtime

@@ -114,6 +114,7 @@ void LessonScreen::stop() {
         std::this_thread::sleep_for(std::chrono::duration<double>(run_->fade_shown_s()));
     }
     loops_.stop();
+    set_stop_target(nullptr);
     ear_.reset();
     if (desktop_.sound) {
         desktop_.sound->set_stream(nullptr);
@@ -127,7 +128,6 @@ void LessonScreen::stop() {
             say(to_sentence(kept.error()));
         }
         say_losses(*run_);
-        set_stop_target(nullptr);
         input_.begin(nullptr);
         run_.reset();
     }

@@ -281,16 +281,35 @@ expect "stop: the program's status" "$status" 7
 # Without a program that can be run too; here under another name, or what else runs would be stopped.
 sed 's/fulcrum-hand/fulcrum-tried/' "$tree/fulcrum" >"$tree/stopper" && chmod +x "$tree/stopper"
 rm "$tree/build/dev/fulcrum"
-cp "$(command -v sleep)" "$scratch/fulcrum-tried"
-"$scratch/fulcrum-tried" 60 &
-hand=$!
-until [[ $(<"/proc/$hand/comm") == fulcrum-tried ]]; do sleep 0.01; done
+mkdir "$scratch/ours" "$scratch/theirs"
+cp "$BASH" "$scratch/ours/fulcrum"
+cp "$BASH" "$scratch/theirs/other"
+# hand PROGRAM AT_SIGNAL: starts one under the name of a hand, and waits for that name.
+hand() {
+    "$1" -c "trap '$2' USR1; printf fulcrum-tried >/proc/\$\$/comm; until ((SECONDS > 60)); do sleep 0.05; done" 2>/dev/null &
+    until [[ $(<"/proc/$!/comm") == fulcrum-tried ]]; do sleep 0.01; done
+}
+hand "$scratch/ours/fulcrum" 'printf fulcrum-tried!1 >/proc/$$/comm; sleep 1; exit 9'
+good=$!
+hand "$scratch/ours/fulcrum" 'exit 9'
+ended=$!
+hand "$scratch/ours/fulcrum" ':'
+silent=$!
+hand "$scratch/theirs/other" 'exit 9'
+other=$!
 at=$tree/stopper start stop
-expect "stop without a program: who was told" "$out" 'Stopped: 1.'
+expect "stop without a program: who gave its word or ended" "$out" 'Stopped: 2.'
+expect "stop without a program: who gave none" "$err" "*processes $silent were told*switch the arm off."
+expect "stop without a program: no success" "$status" 1
 expect "stop without a program: nothing is built" "$called" ''
-code=0
-wait "$hand" 2>/dev/null || code=$?
-expect "stop without a program: the signal" "$code" $((128 + $(kill -l USR1)))
+kill -0 "$other" || expect "stop without a program: a stranger" gone here
+{ kill -KILL "$silent" "$other" && wait "$silent" "$other"; } 2>/dev/null || true
+for process in "$good" "$ended"; do
+    code=0
+    wait "$process" 2>/dev/null || code=$?
+    expect "stop without a program: the signal" "$code" 9
+done
+wait 2>/dev/null || true
 
 # Where nobody can see what runs.
 sed "s|^processes=.*|processes=$scratch/nothing|" "$tree/stopper" >"$tree/blind" && chmod +x "$tree/blind"

@@ -203,3 +203,34 @@ TEST_CASE("hands: silence leaves every device without force") {
     two.hands.silence(two.now_s);
     CHECK(two.are_silent());
 }
+
+TEST_CASE("hands: that no force is left is told once all have faded, and not while one has") {
+    const auto is_told = [](const TwoHands& two) {
+        return two.first.channels->emergency_stop.is_still();
+    };
+    for (const bool first_is_stopped : {true, false}) {
+        CAPTURE(first_is_stopped);
+        TwoHands two;
+        CHECK_FALSE(is_told(two));
+        (first_is_stopped ? two.first : two.second).channels->emergency_stop.press();
+        int n_told = 0;
+        for (int i = 0; i < kFade + 20; ++i) {
+            two.run(1);
+            n_told += is_told(two) ? 1 : 0;
+            REQUIRE((!is_told(two) || two.are_silent()));
+        }
+        CHECK(n_told > 10);
+    }
+    // A device that takes no command may still push.
+    TwoHands two;
+    two.second.device.takes_wrench = false;
+    two.first.channels->emergency_stop.press();
+    two.run(kFade + 20);
+    CHECK_FALSE(is_told(two));
+    // What ended a force by another fault is no stop.
+    TwoHands failed;
+    failed.first.channels->lesson_failed.store(true);
+    failed.run(kFade + 20);
+    CHECK(failed.are_silent());
+    CHECK_FALSE(is_told(failed));
+}

@@ -25,9 +25,13 @@ constexpr uid_t kNobody = 65534;
 
 constexpr std::chrono::seconds kPatience{10};
 
-enum class Kind : std::uint8_t { usual, hangs, closed, of_another };
+enum class Kind : std::uint8_t { usual, hangs, closed, of_another, pushes_on };
 
-// Another process that can be stopped: it ends with 0 once its switch is pressed, with 1 if nobody does, with 2 after more signals than one.
+// How long a force is left after a stop, and what is given for the word of that to be heard.
+constexpr std::chrono::milliseconds kFade{30};
+constexpr std::chrono::milliseconds kHeard{600};
+
+// Another process that can be stopped: it ends with 0 after its switch was pressed, with 1 if nobody does, with 2 after more signals than one.
 int run_stoppable(int told, Kind kind) {
     watch_for_stop_signal(test_name().c_str());
     static StopSwitch target;
@@ -44,6 +48,9 @@ int run_stoppable(int told, Kind kind) {
     const auto until = std::chrono::steady_clock::now() + kPatience;
     while (std::chrono::steady_clock::now() < until) {
         if (target.is_pressed()) {
+            std::this_thread::sleep_for(kFade);
+            target.tell_still(kind != Kind::pushes_on);
+            std::this_thread::sleep_for(kHeard);
             return stop_signals_seen() == 1 ? 0 : 2;
         }
         // One that hangs asks for nothing and waits for nothing.
@@ -99,8 +106,15 @@ class Other {
     pid_t id_;
 };
 
-std::size_t stop_all() {
+StopOutcome stop_and_tell() {
     return value_of(stop_all_hands({.name = test_name()}));
+}
+
+// How many stopped, none of which was silent.
+std::size_t stop_all() {
+    const StopOutcome outcome = stop_and_tell();
+    CHECK(outcome.silent.empty());
+    return outcome.n_stopped;
 }
 
 }  // namespace
@@ -131,18 +145,66 @@ TEST_CASE("stop signal: what was killed is not counted, what is halted hears it 
     killed.await_state('Z');  // it has ended, and nobody has buried it
     REQUIRE(::kill(halted.id(), SIGSTOP) == 0);
     halted.await_state('T');
-    CHECK(stop_all() == 2);
+    const StopOutcome outcome = stop_and_tell();
+    CHECK(outcome.n_stopped == 1);
+    CHECK(outcome.silent == std::vector{halted.id()});
     CHECK(living.exit_code() == 0);
     REQUIRE(::kill(halted.id(), SIGCONT) == 0);
     CHECK(halted.exit_code() == 0);
     CHECK(killed.exit_code() == -1);
 }
 
+TEST_CASE("stop signal: one whose force does not go is named, and so is it the next time") {
+    const Other good;
+    const Other bad(Kind::pushes_on);
+    const auto began = std::chrono::steady_clock::now();
+    const StopOutcome outcome = stop_and_tell();
+    CHECK(outcome.n_stopped == 1);
+    CHECK(outcome.silent == std::vector{bad.id()});
+    CHECK(std::chrono::steady_clock::now() - began >= StopWhom{}.patience);
+    // A word for an earlier stop is none for this one: what has given it and hangs since is named.
+    REQUIRE(::kill(good.id(), SIGSTOP) == 0);
+    good.await_state('T');
+    CHECK(value_of(stop_all_hands({.name = test_name(), .only = good.id()})).silent ==
+          std::vector{good.id()});
+    for (const pid_t id : {good.id(), bad.id()}) {
+        REQUIRE(::kill(id, SIGKILL) == 0);
+        (void)exit_code_of(id);
+    }
+}
+
+TEST_CASE("stop signal: a stranger under our name is neither counted nor told") {
+    // No handler: the signal would end it.
+    const pid_t mute = start_process([] {
+        (void)::prctl(PR_SET_NAME, test_name().c_str());
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        return 0;
+    });
+    // Another program that takes the signal for something else.
+    const ScratchFolder folder;
+    const std::string shell = folder.file("shell");
+    std::filesystem::copy("/bin/bash", shell);
+    const pid_t other = start_process([&] {
+        const std::string script = "trap 'exit 7' USR1; printf " + test_name() +
+                                   " >/proc/$$/comm; touch '" + folder.file("ready") +
+                                   "'; for i in 1 2 3 4 5 6; do sleep 0.1; done";
+        ::execl(shell.c_str(), "shell", "-c", script.c_str(), nullptr);
+        return 1;
+    });
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    while (!std::filesystem::exists(folder.file("ready")) &&
+           std::chrono::steady_clock::now() < until) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    CHECK(stop_all() == 0);
+    CHECK(exit_code_of(mute) == 0);
+    CHECK(exit_code_of(other) == 0);
+}
+
 TEST_CASE("stop signal: one alone is stopped where it is named") {
     const Other meant;
     const Other left;
-    const auto stopped = value_of(stop_all_hands({.name = test_name(), .only = meant.id()}));
-    CHECK(stopped == 1);
+    CHECK(value_of(stop_all_hands({.name = test_name(), .only = meant.id()})).n_stopped == 1);
     CHECK(meant.exit_code() == 0);
     CHECK(stop_all() == 1);
     CHECK(left.exit_code() == 0);
@@ -174,7 +236,7 @@ TEST_CASE("stop signal: root stops everybody's, others their own alone") {
     const pid_t stopper = start_process([] {
         const bool is_nobody = ::setuid(kNobody) == 0;
         const auto stopped = stop_all_hands({.name = test_name()});
-        return is_nobody && stopped && *stopped == 1 ? 0 : 1;
+        return is_nobody && stopped && stopped->n_stopped == 1 ? 0 : 1;
     });
     CHECK(exit_code_of(stopper) == 0);
     CHECK(of_nobody.exit_code() == 0);
