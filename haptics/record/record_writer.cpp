@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <utility>
 
 namespace fulcrum {
@@ -19,6 +22,25 @@ namespace {
 
 // Events and bodies wait for a block of samples, but no more of them than this: a reader takes a block in one piece.
 constexpr std::size_t kFullPayload_bytes = std::size_t{1} << 20;
+
+// What a learner did is nobody else's to read or change, in a file that was there before either. Null, and errno.
+std::FILE* open_private(const std::string& path) {
+    constexpr mode_t kMode = S_IRUSR | S_IWUSR;
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode);
+    if (descriptor < 0) {
+        return nullptr;
+    }
+    struct stat about {};
+    const bool is_ours = ::fstat(descriptor, &about) == 0 &&
+                         (!S_ISREG(about.st_mode) || ::fchmod(descriptor, kMode) == 0);
+    std::FILE* const file = is_ours ? ::fdopen(descriptor, "wb") : nullptr;
+    if (file == nullptr) {
+        const int why = errno;
+        ::close(descriptor);
+        errno = why;
+    }
+    return file;
+}
 
 }  // namespace
 
@@ -163,7 +185,7 @@ RecordWriter::RecordWriter(std::string path, std::FILE* file, const RecordHeader
     : path_(std::move(path)), file_(file), encoder_(header) {}
 
 Expected<RecordWriter> RecordWriter::create(const std::string& path, const RecordHeader& header) {
-    std::FILE* const file = std::fopen(path.c_str(), "wb");
+    std::FILE* const file = open_private(path);
     if (file == nullptr) {
         return fail(std::string("the record cannot be written: ") + std::strerror(errno), path,
                     "choose a place that can be written to");

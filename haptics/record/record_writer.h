@@ -73,7 +73,7 @@ class RecordEncoder {
 /// A record in a file.
 class RecordWriter {
   public:
-    /// Makes the file at `path`, or says why not; an older one is replaced.
+    /// Makes the file at `path`, its owner's alone to read, or says why not; an older one is replaced.
     [[nodiscard]] static Expected<RecordWriter> create(const std::string& path,
                                                        const RecordHeader& header);
     RecordWriter(RecordWriter&&) noexcept = default;

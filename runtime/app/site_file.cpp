@@ -1,5 +1,6 @@
 #include "runtime/app/site_file.h"
 
+#include "runtime/files/other_writers.h"
 #include "runtime/files/user_folder.h"
 
 #include <algorithm>
@@ -10,12 +11,16 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <sys/stat.h>
 #include <system_error>
+#include <unistd.h>
 
 namespace fulcrum::runtime {
 namespace {
 
 constexpr std::size_t kMostBytes = 65536;
+constexpr const char* kAsk = "mend or remove it, or ask who keeps this computer";
+constexpr const char* kLetRead = "let everybody read this file, or ask who keeps this computer";
 constexpr const char* kMend =
     "write lines such as \"force_limit = 3\", or ask who keeps this computer";
 
@@ -62,6 +67,35 @@ Expected<void> take_line(std::string_view line, const std::string& where, SiteFi
     return {};
 }
 
+// Whether the file is there; refuses what is unfit to say what a hand may feel. A pipe is not opened: nobody may ever write to it.
+Expected<bool> look_for(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found) {
+        if (const auto link = find_dangling_link(file)) {
+            return fail("this link to the limits of this place leads nowhere", link->string(),
+                        kAsk);
+        }
+        return false;
+    }
+    if (error || status.type() != std::filesystem::file_type::regular) {
+        return fail("the limits of this place cannot be read", file.string(), kLetRead);
+    }
+    if (const auto others = find_other_writers(file)) {
+        return fail("whoever likes can change the limits of this place: " + *others, file.string(),
+                    "take that away (chmod go-w), or ask who keeps this computer");
+    }
+    return true;
+}
+
+// Whether it belongs to this user or to who keeps the computer, whose the root folder is.
+bool is_kept_here(const std::filesystem::path& file) {
+    struct stat about {};
+    struct stat root {};
+    return ::stat(file.c_str(), &about) != 0 || ::stat("/", &root) != 0 ||
+           about.st_uid == root.st_uid || about.st_uid == ::geteuid();
+}
+
 // What one file sets, over what is there.
 void take_least(std::optional<double>& limit, const std::optional<double>& other) {
     if (other) {
@@ -88,20 +122,16 @@ Expected<SiteFile> parse_site_file(std::string_view text, std::string_view name)
 }
 
 Expected<SiteFile> load_site_file(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (status.type() == std::filesystem::file_type::not_found) {
+    const auto is_there = look_for(file);
+    if (!is_there) {
+        return tl::unexpected(is_there.error());
+    }
+    if (!*is_there) {
         return SiteFile{};
     }
-    // A pipe is not opened: nobody may ever write to it.
-    const bool is_plain = !error && status.type() == std::filesystem::file_type::regular;
-    std::ifstream stream;
-    if (is_plain) {
-        stream.open(file, std::ios::binary);
-    }
-    if (!is_plain || !stream) {
-        return fail("the limits of this place cannot be read", file.string(),
-                    "let everybody read this file, or ask who keeps this computer");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        return fail("the limits of this place cannot be read", file.string(), kLetRead);
     }
     std::string text(kMostBytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -115,6 +145,9 @@ Expected<SiteFile> load_site_file(const std::filesystem::path& file) {
 
 Expected<SiteLimits> find_site_limits(std::optional<double> asked_N,
                                       const std::filesystem::path& shared_file) {
+    if (!is_kept_here(shared_file)) {
+        return fail("the limits of this place are another user's", shared_file.string(), kAsk);
+    }
     auto shared = load_site_file(shared_file);
     if (!shared) {
         return tl::unexpected(shared.error());

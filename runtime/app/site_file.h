@@ -8,7 +8,8 @@
 //
 // /etc/fulcrum/site.conf holds for everybody on the computer, fulcrum/site.conf in the user's folder for settings for that user; of both,
 // and of --force-limit, the least of each limit holds, so that no pupil gets around a file that only the administrator can write. A file
-// that cannot be read, or says what it may not, keeps every lesson from starting: without it nobody knows what is allowed.
+// that cannot be read, is a link that leads nowhere, may be written by others (other_writers.h) or says what it may not, keeps every lesson
+// from starting: without it nobody knows what is allowed.
 //
 // Thread: load.
 #pragma once
@@ -32,7 +33,8 @@ struct SiteFile {
 /// The file's text; `name` is what an error says before the line.
 [[nodiscard]] Expected<SiteFile> parse_site_file(std::string_view text, std::string_view name);
 
-/// Reads `file`; nothing where there is none. Refuses more than 64 kB, and what parse_site_file refuses.
+/// Reads `file`; nothing where there is none. Refuses a dangling link to it or to a folder on the way, what is no plain file or may be written
+/// by others, more than 64 kB, and what parse_site_file refuses.
 [[nodiscard]] Expected<SiteFile> load_site_file(const std::filesystem::path& file);
 
 /// Both files, and `asked_N` of --force-limit: the least of each. Where nothing sets a limit it is the usual one.

@@ -1,5 +1,6 @@
 #include "runtime/files/private_folder.h"
 
+#include "runtime/files/other_writers.h"
 #include "runtime/files/user_folder.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ const char* find_fault(const struct stat& about) {
     if (about.st_uid != geteuid()) {
         return "this folder is another user's";
     }
-    return (about.st_mode & (S_IWGRP | S_IWOTH)) != 0 ? "others may write to this folder" : nullptr;
+    return may_others_write(about) ? "others may write to this folder" : nullptr;
 }
 
 bool are_digits(std::string_view text) {
@@ -181,6 +182,9 @@ Expected<std::optional<std::vector<std::byte>>> PrivateFolder::read(
     struct stat about {};
     if (fstat(file.number(), &about) != 0 || !S_ISREG(about.st_mode) || about.st_uid != geteuid()) {
         return fail("this is no plain file of yours");
+    }
+    if (may_others_write(about)) {
+        return fail("others may write to this file");
     }
     const auto n_bytes = static_cast<std::uint64_t>(about.st_size);
     if (n_bytes > most_bytes) {

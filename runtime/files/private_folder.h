@@ -2,7 +2,8 @@
 // somebody puts in its place meanwhile.
 //
 //   taken     a folder, no link to one, of the user who runs the program, that nobody else may write to
-//   read      a plain file of that user's, no link to one, no longer than allowed; a pipe makes nobody wait
+//   read      a plain file of that user's, no link to one, no longer than allowed, that nobody else may write to; a pipe makes nobody
+//             wait
 //   replace   to a new file NAME.PID.N.tmp, synced, then renamed: there is the old one, or the new one, or none, whenever a program
 //             or a computer stops. A file that is there already by such a name is another program's, and is left alone
 //

@@ -171,6 +171,13 @@ TEST_CASE("record writer: a file is written, read, and bad places are refused") 
     CHECK_FALSE(record->cut_off);
     CHECK(record->samples.size() == 300);
     CHECK(record->events.size() == 1);
+    // It is its owner's alone, and what is put in the place of an older file as well.
+    namespace fs = std::filesystem;
+    const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+    CHECK(fs::status(path).permissions() == own);
+    fs::permissions(path, fs::perms::all);
+    REQUIRE(RecordWriter::create(path, {}));
+    CHECK(fs::status(path).permissions() == own);
     CHECK_FALSE(RecordWriter::create(folder + "/no/such/run.flcr", {}));
     const Expected<Record> missing = load_record(folder + "/none.flcr");
     REQUIRE_FALSE(missing);

@@ -117,6 +117,47 @@ TEST_CASE("site file: one that cannot be read keeps every lesson from starting")
     CHECK(find_site_limits({}, settings.shared_file()));
 }
 
+TEST_CASE("site file: a link that leads nowhere is no place without limits") {
+    const OwnSettings settings;
+    const std::filesystem::path shared = settings.shared_file();
+    std::filesystem::create_symlink("/nowhere/site.conf", shared);
+    CHECK(error_of(find_site_limits({}, shared)).where == shared.string());
+    // A folder on the way is on a share that is away.
+    const std::filesystem::path share = shared.parent_path() / "share";
+    std::filesystem::create_symlink("/nowhere", share);
+    CHECK(error_of(find_site_limits({}, share / "site.conf")).where == share.string());
+    // One that leads somewhere is followed.
+    std::filesystem::remove(shared);
+    write_text(shared.parent_path() / "real.conf", "force_limit = 2");
+    std::filesystem::create_symlink("real.conf", shared);
+    CHECK(value_of(find_site_limits({}, shared)).force_N == 2.0);
+}
+
+TEST_CASE("site file: one that others may change, or whose folder they may, starts no lesson") {
+    const OwnSettings settings;
+    const std::filesystem::path shared = settings.shared_file();
+    const auto is_refused = [&] {
+        const auto limits = find_site_limits({}, shared);
+        return !limits && limits.error().where == shared.string();
+    };
+    write_text(shared, "force_limit = 2");
+    CHECK_FALSE(is_refused());
+    REQUIRE(::chmod(shared.c_str(), 0666) == 0);
+    CHECK(is_refused());
+    REQUIRE(::chmod(shared.c_str(), 0644) == 0);
+    CHECK_FALSE(is_refused());
+    const std::filesystem::path folder = shared.parent_path();
+    REQUIRE(::chmod(folder.c_str(), 0777) == 0);
+    CHECK(is_refused());
+    REQUIRE(::chmod(folder.c_str(), 01777) == 0);
+    CHECK_FALSE(is_refused());
+    if (::geteuid() == 0) {
+        constexpr uid_t kNobody = 65534;
+        REQUIRE(::chown(shared.c_str(), kNobody, kNobody) == 0);
+        CHECK(is_refused());
+    }
+}
+
 TEST_CASE("site file: a pipe in its place makes nobody wait, and no lesson starts") {
     const ScratchFolder folder;
     const auto file = folder.path() / "site.conf";
