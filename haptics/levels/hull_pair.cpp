@@ -241,6 +241,12 @@ class BlendedSimplex {
     std::size_t count_ = 0;
 };
 
+HullPair meet(HullPair pair) noexcept {
+    pair.gap_m = 0.0;
+    pair.least_m = 0.0;
+    return pair;
+}
+
 // `find_first(d)`: of the first the farthest along d, and so on.
 template <class FindFirst, class FindSecond>
 HullPair search(const Vector3& start, double enough_m, const FindFirst& find_first,
@@ -260,9 +266,7 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
         const double length_m = v.norm();
         if (!(length_m > kMeet * size_m)) {
             simplex.tell(pair);
-            pair.gap_m = 0.0;
-            pair.least_m = 0.0;
-            return pair;
+            return meet(pair);
         }
         const Vector3 normal = v / length_m;
         const Vector3 on_first = find_first(normal);
@@ -297,9 +301,7 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
         if (simplex.holds_origin()) {
             simplex.tell(pair);
             simplex.tell_held(pair);
-            pair.gap_m = 0.0;
-            pair.least_m = 0.0;
-            return pair;
+            return meet(pair);
         }
     }
     simplex.tell(pair);
