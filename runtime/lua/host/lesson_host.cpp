@@ -42,18 +42,13 @@ int last_line(const std::string& text) {
 /// The file must end with `return L`.
 void check_returned_lesson(lua_State* lua, const LessonContext& context, const LuaSource& source) {
     if (context.lesson_ref == LUA_NOREF) {
-        lua_pushfstring(
-            lua,
-            "%s:1: this file makes no lesson; begin with local L = lesson { id = …, title = … }",
-            source.name.c_str());
-        lua_error(lua);
+        raise_at(lua, source.name, 1,
+                 "this file makes no lesson; begin with local L = lesson { id = …, title = … }");
     }
     lua_rawgeti(lua, LUA_REGISTRYINDEX, context.lesson_ref);
     if (lua_rawequal(lua, -1, -2) == 0) {
-        lua_pushfstring(lua,
-                        "%s:%d: the file must end with return L, the lesson that lesson { … } gave",
-                        source.name.c_str(), last_line(source.text));
-        lua_error(lua);
+        raise_at(lua, source.name, last_line(source.text),
+                 "the file must end with return L, the lesson that lesson { … } gave");
     }
     lua_pop(lua, 1);
 }
@@ -62,8 +57,7 @@ void check_returned_lesson(lua_State* lua, const LessonContext& context, const L
 void check_sounds(lua_State* lua, const LuaSource& source) {
     for (const SoundUse& use : find_sounds(source.text)) {
         if (const std::string problem = sound_problem(use.name); !problem.empty()) {
-            lua_pushfstring(lua, "%s:%d: %s", source.name.c_str(), use.line, problem.c_str());
-            lua_error(lua);
+            raise_at(lua, source.name, use.line, problem);
         }
     }
 }
@@ -152,9 +146,7 @@ std::optional<ScriptError> LessonHost::load_lesson() {
             script.call(lua, 2, 0);
         }
         if (const auto unmet = find_unmet(lua, lesson_)) {
-            lua_pushfstring(lua, "%s:%d: %s", unmet->file.c_str(), static_cast<int>(unmet->line),
-                            unmet->message.c_str());
-            lua_error(lua);
+            raise_at(lua, unmet->file, unmet->line, unmet->message);
         }
     });
 }

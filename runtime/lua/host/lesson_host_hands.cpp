@@ -69,10 +69,8 @@ std::optional<ScriptError> LessonHost::load_hand(std::size_t index) {
         script.load_text(lua, source);
         script.call(lua, 0, 1);
         if (!lua_isfunction(lua, -1) && !lua_istable(lua, -1)) {
-            lua_pushfstring(
-                lua, "%s:1: a simulated hand ends with return function(hand, t, world) … end",
-                source.name.c_str());
-            lua_error(lua);
+            raise_at(lua, source.name, 1,
+                     "a simulated hand ends with return function(hand, t, world) … end");
         }
         hand.ref = luaL_ref(lua, LUA_REGISTRYINDEX);
     });

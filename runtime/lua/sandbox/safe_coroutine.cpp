@@ -29,6 +29,7 @@ int resume_with(lua_State* lua, lua_State* co, int n_arguments) {
     state.running = lua;
     state.check_spent(lua);
     if (status != LUA_OK && status != LUA_YIELD) {
+        state.note_failure(co);
         lua_xmove(co, lua, 1);
         return -1;
     }

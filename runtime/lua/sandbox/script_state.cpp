@@ -52,6 +52,40 @@ bool split_place(std::string_view text, ScriptError& error) {
     return true;
 }
 
+bool are_same_place(const ScriptError& a, const ScriptError& b) {
+    return a.file == b.file && a.line == b.line;
+}
+
+// Whether the script runs there, at any of the levels that are looked at.
+bool runs_at(lua_State* lua, const ScriptError& place) {
+    constexpr int kMostLevels = 64;
+    lua_Debug activation{};
+    for (int level = 0; level < kMostLevels && lua_getstack(lua, level, &activation) != 0;
+         ++level) {
+        if (are_same_place(place_of(lua, level), place)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// A script's own words within our sentence: one line, and no blanks at its ends.
+std::string in_one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        const bool is_blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+        if (!is_blank) {
+            line += c;
+        } else if (!line.empty() && line.back() != ' ') {
+            line += ' ';
+        }
+    }
+    while (!line.empty() && line.back() == ' ') {
+        line.pop_back();
+    }
+    return line;
+}
+
 }  // namespace
 
 // ---- making and unmaking
@@ -212,6 +246,7 @@ std::optional<ScriptError> ScriptState::run_protected(RawBody body, void* self) 
     lua_pushcfunction(lua_, &run_body);
     lua_pushlightuserdata(lua_, &call);
     raised_ = {};
+    told_place_ = {};
     running = lua_;
     const int status = lua_pcall(lua_, 1, 0, 1);
     running = lua_;
@@ -233,13 +268,31 @@ int ScriptState::on_error(lua_State* lua) {
         std::size_t n = 0;
         const char* text = lua_tolstring(lua, 1, &n);
         error.message.assign(text, n);
-        split_place(std::string_view(text, n), error);
+        // A place in front of it counts where it is true; whatever else stands there is a part of the text.
+        ScriptError told;
+        if (split_place(std::string_view(text, n), told) &&
+            (are_same_place(told, state.told_place_) || runs_at(lua, told))) {
+            error = told;
+        }
+        if (in_one_line(error.message).empty()) {
+            error.message = "the script raised an error without a text";
+        }
     } else {
         error.message = std::string("the script raised an error that is a ") +
                         luaL_typename(lua, 1) + ", not a text";
     }
     state.raised_ = error;
     return 1;
+}
+
+void ScriptState::note_failure(lua_State* coroutine) {
+    std::size_t n = 0;
+    const char* text =
+        lua_type(coroutine, -1) == LUA_TSTRING ? lua_tolstring(coroutine, -1, &n) : nullptr;
+    ScriptError told;
+    if (text != nullptr && split_place({text, n}, told) && runs_at(coroutine, told)) {
+        told_place_ = told;
+    }
 }
 
 ScriptError ScriptState::describe_failure(int status) {
@@ -255,7 +308,7 @@ ScriptError ScriptState::describe_failure(int status) {
     if (error.message == "not enough memory") {  // caught by the script and raised again
         error.message = memory_error_.message;
     }
-    error.message = clean_text(in_plain_words(error.message), 400);
+    error.message = in_one_line(clean_text(in_plain_words(error.message), 400));
     return error;
 }
 
@@ -273,11 +326,12 @@ void ScriptState::load_text(lua_State* lua, const LuaSource& source) {
     const char* message = lua_tolstring(lua, -1, &n);
     // Where the compiler itself gave up, it names no place.
     if (message != nullptr && !split_place({message, n}, placed)) {
-        lua_pushfstring(lua, "%s:1: %s", source.name.c_str(), message);
+        raise_at(lua, source.name, 1, message);
     } else if (const auto brace = find_missing_brace(source.text, placed.line)) {
-        lua_pushfstring(lua, "%s:%d: the { behind %s is missing", source.name.c_str(), brace->line,
-                        clean_text(brace->call, kMaxNameBytes).c_str());
+        raise_at(lua, source.name, brace->line,
+                 "the { behind " + clean_text(brace->call, kMaxNameBytes) + " is missing");
     }
+    told_place_ = placed;
     lua_error(lua);
 }
 
@@ -329,11 +383,16 @@ ScriptError place_in_lesson(lua_State* lua) {
 void raise_in_lesson(lua_State* lua, const std::string& message) {
     const ScriptError place = place_in_lesson(lua);
     if (place.line > 0) {
-        lua_pushfstring(lua, "%s:%d: %s", place.file.c_str(), static_cast<int>(place.line),
-                        message.c_str());
-    } else {
-        lua_pushlstring(lua, message.data(), message.size());
+        raise_at(lua, place.file, place.line, message);
     }
+    lua_pushlstring(lua, message.data(), message.size());
+    lua_error(lua);
+    std::abort();  // lua_error does not return
+}
+
+void raise_at(lua_State* lua, const std::string& file, int line, const std::string& message) {
+    ScriptState::of(lua).note_true_place({{}, clean_text(file, kMaxNameBytes), line});
+    lua_pushfstring(lua, "%s:%d: %s", file.c_str(), line, message.c_str());
     lua_error(lua);
     std::abort();  // lua_error does not return
 }

@@ -80,6 +80,11 @@ class ScriptState {
     /// Inside `protect`: calls what is on the stack, noting its first line as where the script is.
     void call(lua_State* lua, int n_arguments, int n_results);
 
+    /// An error that is raised next and tells this place tells the truth, wherever the script is.
+    void note_true_place(const ScriptError& place) { told_place_ = place; }
+    /// The coroutine has failed, with an error on its top: the place that it tells is true, whoever raises it again.
+    void note_failure(lua_State* coroutine);
+
     /// Which Lua thread runs now; kept by the coroutine functions.
     lua_State* running = nullptr;
     /// How deep coroutine.close has nested.
@@ -116,6 +121,8 @@ class ScriptState {
     ScriptError memory_error_{};  ///< where a block was last refused
     ScriptError called_{};        ///< where the function that the program called last begins
     ScriptError raised_{};        ///< filled by the message handler
+    ScriptError
+        told_place_{};  ///< of an error from elsewhere: a text that was compiled, a coroutine
 };
 
 /// Where level `level` of the running script is; empty when that is no Lua function.
@@ -124,6 +131,9 @@ class ScriptState {
 [[nodiscard]] ScriptError place_in_lesson(lua_State* lua);
 /// Raises `message` at the teacher's line.
 [[noreturn]] void raise_in_lesson(lua_State* lua, const std::string& message);
+/// The same at another place of the lesson's text, where something was declared.
+[[noreturn]] void raise_at(lua_State* lua, const std::string& file, int line,
+                           const std::string& message);
 /// A short text fit to be shown: invalid bytes become '?', cut to `max_bytes`.
 [[nodiscard]] std::string clean_text(std::string_view text, std::size_t max_bytes);
 
