@@ -123,6 +123,7 @@ void LessonScreen::stop() {
         // No hand feels anything now, so this may wait for the disk.
         run_->session().end(EndReason::left);
         run_->session().settle(kStorePatience_s);
+        lost_progress_ = lost_progress_ || !run_->session().store_trouble().empty();
         say(run_->session().store_trouble());
         if (auto kept = run_->finish_record(); !kept) {
             say(to_sentence(kept.error()));

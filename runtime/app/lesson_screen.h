@@ -38,6 +38,8 @@ class LessonScreen {
     Left play();
     /// True when the lesson failed and was not mended; then `play` has told why.
     [[nodiscard]] bool failed() const { return !error_.empty(); }
+    /// True when something of what the learner did could not be kept.
+    [[nodiscard]] bool lost_progress() const { return lost_progress_; }
     /// How the haptic loop did and how long after `since_s` of the monotonic clock it first ran, for the terminal.
     [[nodiscard]] std::string statistics(double since_s) const;
 
@@ -77,6 +79,7 @@ class LessonScreen {
     double level_began_s_ = 0.0;
     std::optional<double> first_epoch_s_;  // of the first play
     double next_frame_s_ = 0.0;
+    bool lost_progress_ = false;
     std::string error_;  // the sentence of the failure, empty while all is well
     WatchedFiles files_;
     double next_watch_s_ = 0.0;

@@ -18,6 +18,15 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr int kForcesDiffer = 3;
+constexpr int kNotKept = 4;
+
+// Of a run that went well. Nobody waits for what is kept of a guest.
+int find_exit_code(const ProgressStore& store, const Options& options, bool lost_some) {
+    const bool is_wanted = !options.learner.empty() || !options.database.empty();
+    const bool is_kept = !lost_some && (store.keeps() || !is_wanted);
+    const int interrupted = interrupt_exit_code();
+    return interrupted != 0 || is_kept ? interrupted : kNotKept;
+}
 
 int run_in_window(const Installation& installation, const Options& options, RunRequest request) {
     auto desktop = Desktop::open(installation.places, request.plan.sound, options.voice);
@@ -29,10 +38,7 @@ int run_in_window(const Installation& installation, const Options& options, RunR
                         std::move(request), options);
     (void)screen.play();
     std::fprintf(stderr, "%s\n", screen.statistics(installation.started_s).c_str());
-    if (screen.failed()) {
-        return 1;
-    }
-    return interrupt_exit_code();
+    return screen.failed() ? 1 : find_exit_code(*store, options, screen.lost_progress());
 }
 
 // Writes the picture at the wanted time, or at the end.
@@ -120,8 +126,9 @@ int run_without_window(const Installation& installation, const Options& options,
     }
     screenshot.at_end();
     (*run)->session().end(EndReason::left);
-    if (!(*run)->session().store_trouble().empty()) {
-        std::fprintf(stderr, "%s\n", (*run)->session().store_trouble().c_str());
+    const std::string& unkept = (*run)->session().store_trouble();
+    if (!unkept.empty()) {
+        std::fprintf(stderr, "%s\n", unkept.c_str());
     }
     const SessionResult& result = (*run)->session().result();
     std::printf("%s: %s after %.1f s (%.0f times real time), score %d, %d of 3 stars, %d %s.\n",
@@ -143,7 +150,7 @@ int run_without_window(const Installation& installation, const Options& options,
         return 2;
     }
     const int differs = tell_replay(**run);
-    return differs != 0 ? differs : interrupt_exit_code();
+    return differs != 0 ? differs : find_exit_code(*store, options, !unkept.empty());
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ constexpr std::string_view kUsage = R"(Fulcrum: lessons that are felt.
       --lesson NAME --seed N --seeds N --seconds N    one lesson; the first seed (1), how many (3), how long each (60)
   fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 
-Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 3 a replay gave other forces than its record, 130 ended by Ctrl-C, 143 by SIGTERM (what there was of a run is kept).
+Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 3 a replay gave other forces than its record, 4 the lesson was played and what the learner did was not all kept, 130 ended by Ctrl-C, 143 by SIGTERM (what there was of a run is kept).
 )";
 
 constexpr std::string_view kHead = "\n  fulcrum ";  // a command's part begins so

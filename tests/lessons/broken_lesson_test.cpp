@@ -193,7 +193,7 @@ TEST_CASE(
     sandbox.write("damaged.db", garbage);
     const ProgramRun run = sandbox.run("run gravity --headless --seconds 5 --db damaged.db");
     INFO(run.output);
-    CHECK(run.exit_code == 0);
+    CHECK(run.exit_code == 4);
     CHECK(run.output.find("damaged.db") != std::string::npos);
     std::FILE* file = std::fopen(sandbox.path("damaged.db").c_str(), "rb");
     REQUIRE(file != nullptr);

@@ -62,7 +62,8 @@ grep -q Mina "$home/before.csv" || fail "nothing was kept of Mina"
     ulimit -f 40
     trap '' XFSZ
     exec "$fulcrum" run gravity --headless --errors 0 --learner Mina
-) >"$home/unkept.log" 2>&1 || true
+) >"$home/unkept.log" 2>&1 && code=0 || code=$?
+[[ $code -eq 4 ]] || fail "a lesson whose end was not kept ends with code $code, not 4"
 expect "$home/unkept.log" '^gravity: finished' "a full disk keeps the lesson from its end"
 [[ $(grep -c 'the disk refused to read or write' "$home/unkept.log") -eq 1 ]] || fail "nobody says once that nothing is kept"
 "$fulcrum" report --format csv >"$home/after.csv" 2>"$home/report.log" || fail "after a full disk there is no report"
