@@ -2,6 +2,8 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/geometry/shape.h"
+#include "runtime/app/interrupt.h"
+#include "runtime/app/screen_trouble.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
@@ -9,6 +11,8 @@
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -132,12 +136,27 @@ Expected<void> add_own_hands(const LessonTestDescription& test, const RunRequest
 
 }  // namespace
 
+std::function<bool(double)> patience(std::optional<double> most_s) {
+    constexpr double kTold_s = 2.0;
+    return [most_s, told = false](double waited_s) mutable {
+        if (!told && waited_s > kTold_s) {
+            told = true;
+            std::fprintf(stderr, "This computer is busy: the lesson has hardly run for %.0f s.\n",
+                         waited_s);
+        }
+        return !interrupted() && waited_s < most_s.value_or(HUGE_VAL);
+    };
+}
+
 Expected<StartedLesson> start_lesson(const Places& places, RunRequest& request) {
     // Whether it has a second hand is not known yet.
     LessonFiles asked = files_of(places, request);
     asked.second_hand.clear();
     LessonProcessOptions options;
     options.seed = request.seed;
+    options.waits_on =
+        patience(request.hands_there == HandsThere::desk ? std::optional(kLongestWindowWait_s)
+                                                         : std::nullopt);
     auto process = LessonProcess::start(asked, options);
     if (!process) {
         return tl::unexpected(process.error());

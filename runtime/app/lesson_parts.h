@@ -8,7 +8,9 @@
 #include "runtime/lua/process/lesson_process.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct StartedLesson {
     std::unique_ptr<LessonProcess> process;
     std::vector<std::string> notices;
 };
+
+/// For LessonProcessOptions: a busy computer is told of once, on the terminal, and waited for, at most so long; Ctrl-C ends it.
+[[nodiscard]] std::function<bool(double)> patience(std::optional<double> most_s);
 
 /// Starts the lesson and settles the request's hands for it; with `own_test` and no hand file, those of its first L:test are loaded
 /// beside it.

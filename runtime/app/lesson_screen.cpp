@@ -191,7 +191,7 @@ void LessonScreen::take_input(const WindowEvents& events) {
     const double dt_s = std::clamp(now_s - polled_s_, 0.0, kLongestStep_s);
     polled_s_ = now_s;
     const PictureSize size{desktop_.window->width_px(), desktop_.window->height_px()};
-    input_.take(events, !run_ || !error_.empty(), size, dt_s);
+    input_.take(events, !run_ || offers_another_begin(find_trouble()), size, dt_s);
     take_orders();
 }
 
@@ -315,34 +315,23 @@ View LessonScreen::compose() const {
     } else if (view.input_visible && view.microphone.words.empty()) {
         view.microphone.words = catalogue_.say("hud.type_here");
     }
-    show_trouble(view);
+    show(find_trouble(), catalogue_, view);
     if (run_ && error_.empty()) {
         show_hints(view);
     }
     return view;
 }
 
-// What must be known before anything else: a mistake in the lesson, a stop, a device that is lost, progress that is not kept.
-void LessonScreen::show_trouble(View& view) const {
-    if (!error_.empty()) {
-        view.banner = catalogue_.say("banner.stopped") + " " +
-                      catalogue_.say("banner.teacher", {{"sentence", error_}});
-        view.banner_is_error = true;
-        view.caption = catalogue_.say("banner.retry");
-        view.feedback.clear();
-        view.input_visible = false;
-        view.choices.clear();
-        view.why = {};
-        view.force.visible = false;
-    } else if (input_.stopped()) {
-        view.banner = catalogue_.say("hud.emergency", {{"key", "Enter"}});
-        view.banner_is_error = true;
-    } else if (run_ && run_->device_is_lost()) {
-        view.banner = catalogue_.say("banner.device_lost");
-        view.banner_is_error = true;
-    } else if (run_ && !run_->session().store_trouble().empty()) {
-        view.banner = catalogue_.say("banner.not_saved");
+ScreenTrouble LessonScreen::find_trouble() const {
+    ScreenTrouble trouble;
+    trouble.error = error_;
+    trouble.is_stopped = input_.stopped();
+    if (run_) {
+        trouble.waited_s = run_->process().waited_s();
+        trouble.device_is_lost = run_->device_is_lost();
+        trouble.is_unkept = !run_->session().store_trouble().empty();
     }
+    return trouble;
 }
 
 // What helps where nothing else is said.

@@ -12,6 +12,7 @@
 #include "runtime/app/live_ear.h"
 #include "runtime/app/live_loops.h"
 #include "runtime/app/options.h"
+#include "runtime/app/screen_trouble.h"
 #include "runtime/app/stop_signal.h"
 #include "runtime/app/watched_files.h"
 #include "runtime/lesson/said_before.h"
@@ -60,7 +61,7 @@ class LessonScreen {
     void listen();
     void watch_files();
     [[nodiscard]] View compose() const;
-    void show_trouble(View& view) const;
+    [[nodiscard]] ScreenTrouble find_trouble() const;
     void show_hints(View& view) const;
     [[nodiscard]] bool says_how_to_move() const;
     void save_wanted_screenshot(bool last_frame);

@@ -2,6 +2,8 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/lesson_parts.h"
+#include "runtime/app/screen_trouble.h"
 #include "runtime/lua/process/lesson_process.h"
 
 #include <algorithm>
@@ -122,7 +124,9 @@ std::vector<LessonCard> read_lesson_cards(const Places& places) {
         LessonFiles files;
         files.folder = card.folder;
         files.library = places.scripts_lib;
-        if (const auto process = LessonProcess::start(files); process) {
+        LessonProcessOptions process_options;
+        process_options.waits_on = patience(kLongestWindowWait_s);
+        if (const auto process = LessonProcess::start(files, process_options); process) {
             const LessonDescription& lesson = (*process)->description();
             card.title = lesson.title;
             card.level = lesson.level;

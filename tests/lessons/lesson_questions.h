@@ -23,7 +23,6 @@ inline Questions questions_of(const std::string& lesson) {
     files.library = std::filesystem::path(FULCRUM_SCENARIOS) / "../scripts/lib";
     runtime::LessonProcessOptions options;
     options.executable = program_path();
-    options.load_wall_s = options.answer_wall_s = 30.0;
     auto process = runtime::LessonProcess::start(files, options);
     REQUIRE(process);
     auto questions = runtime::compile_questions((*process)->description());

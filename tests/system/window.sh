@@ -33,9 +33,20 @@ child=
 grep -q "Haptic loop:" "$folder/said"
 [[ $(head -c 4 "$folder/picture.png" | tail -c 3) == PNG ]]
 
-# A lesson that is left has not failed: its record tells the one fault and not the other.
-lesson
-timeout 60 "$program" run "$folder/x" --mute --seconds 2 --record "$folder/left.rec" >"$folder/said" 2>&1
+# A lesson that is left has not failed: its record tells the one fault and not the other. Nor has one whose process was kept from running
+# for a while.
+lesson 'function L:update(world, dt) print("plays") end'
+"$program" run "$folder/x" --mute --seconds 5 --record "$folder/left.rec" >>"$folder/said" 2>&1 &
+child=$!
+wait_for plays
+lesson_process=$(pgrep -P "$child" | head -n 1)
+kill -STOP "$lesson_process"
+sleep 2
+: >"$folder/said"
+kill -CONT "$lesson_process"
+wait_for plays 3
+wait "$child" || { echo "a lesson that was halted for a while ended with $?"; cat "$folder/said"; exit 1; }
+child=
 grep -aq "run ended" "$folder/left.rec" || { echo "a lesson that was left has no end in its record"; exit 1; }
 ! grep -aq "lesson failed" "$folder/left.rec" || { echo "a lesson that was left counts as failed"; exit 1; }
 

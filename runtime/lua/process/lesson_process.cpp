@@ -47,20 +47,18 @@ struct LessonProcess::Parts {
     double asked_at_s = 0.0;
     double cpu_at_ask_s = 0.0;
     double cpu_limit_s = 0.0;
-    double wall_limit_s = 0.0;
 
     /// From now on the process has so much time to answer, as a build without sanitizers counts it.
-    void start_clocks(double cpu_s, double wall_s) {
+    void start_clock(double cpu_s) {
         asked_at_s = monotonic_now_s();
         cpu_at_ask_s = child->cpu_s();
         cpu_limit_s = cpu_s;
-        wall_limit_s = wall_s;
     }
     [[nodiscard]] bool worked_too_long() const {
         return child->cpu_s() - cpu_at_ask_s > kSlowness * cpu_limit_s;
     }
-    [[nodiscard]] bool is_late() const {
-        return worked_too_long() || monotonic_now_s() - asked_at_s > kSlowness * wall_limit_s;
+    [[nodiscard]] bool is_given_up() const {
+        return options.waits_on && !options.waits_on(monotonic_now_s() - asked_at_s);
     }
 
     /// Ends the process and remembers why. Every later call gives the same error.
@@ -76,16 +74,21 @@ struct LessonProcess::Parts {
         place.file = sources.known_name(place.file);
         return to_error(place).where;
     }
-    Error fail_late() {
+    /// Why nobody waits any longer; nothing while somebody does.
+    std::optional<Error> look_at_clocks() {
         if (worked_too_long()) {
             return fail_with({"this did not answer within " + milliseconds(cpu_limit_s) +
                                   " (a loop that never ends?)",
                               last_place(),
                               {}});
         }
-        return fail_with({"the lesson's process had no answer after " + milliseconds(wall_limit_s) +
-                              ", though it hardly ran",
-                          last_place(), "see whether the computer is too busy"});
+        if (is_given_up()) {
+            const double waited_s = monotonic_now_s() - asked_at_s;
+            return fail_with({"the lesson's process was given up after " + milliseconds(waited_s) +
+                                  ", in which it hardly ran",
+                              last_place(), "see whether the computer is too busy"});
+        }
+        return std::nullopt;
     }
     Error fail_malformed(const std::string& problem) {
         return fail_with({"the lesson's process sent nonsense and was ended (" + problem + ")",
@@ -132,12 +135,13 @@ struct LessonProcess::Parts {
                 return tl::unexpected(fail_gone());
             }
             rest = rest.subspan(*sent);
-            if (!rest.empty() && is_late()) {
-                return tl::unexpected(fail_late());
+            if (rest.empty()) {
+                break;
             }
-            if (!rest.empty()) {
-                child->wait_writable(kLookEvery_s);
+            if (auto late = look_at_clocks()) {
+                return tl::unexpected(std::move(*late));
             }
+            child->wait_writable(kLookEvery_s);
         }
         return {};
     }
@@ -155,8 +159,8 @@ struct LessonProcess::Parts {
                 case Channel::Result::nothing:
                     break;
             }
-            if (is_late()) {
-                return tl::unexpected(fail_late());
+            if (auto late = look_at_clocks()) {
+                return tl::unexpected(std::move(*late));
             }
             child->wait_readable(kLookEvery_s);
         }
@@ -225,7 +229,7 @@ Expected<void> LessonProcess::Parts::load() {
                        options.memory_bytes, options.load_instructions, options.frame_instructions,
                        std::move(*second_hand)},
            out);
-    start_clocks(options.load_cpu_s, options.load_wall_s);
+    start_clock(options.load_cpu_s);
     if (auto sent = send_all(); !sent) {
         return sent;
     }
@@ -287,7 +291,7 @@ Expected<void> LessonProcess::send(const LessonFrame& frame) {
     }
     parts.out.clear();
     encode(frame, parts.out);
-    parts.start_clocks(parts.options.answer_cpu_s, parts.options.answer_wall_s);
+    parts.start_clock(parts.options.answer_cpu_s);
     parts.waiting = true;
     return parts.send_all();
 }
@@ -320,8 +324,8 @@ std::optional<Expected<LessonReply>> LessonProcess::poll() {
         case Channel::Result::nothing:
             break;
     }
-    if (parts.is_late()) {
-        return tl::unexpected(parts.fail_late());
+    if (parts.worked_too_long()) {
+        return tl::unexpected(*parts.look_at_clocks());
     }
     return std::nullopt;
 }
@@ -330,6 +334,9 @@ std::optional<Expected<LessonReply>> LessonProcess::poll() {
 
 bool LessonProcess::waits_for_reply() const noexcept {
     return parts_->waiting;
+}
+double LessonProcess::waited_s() const noexcept {
+    return parts_->waiting ? monotonic_now_s() - parts_->asked_at_s : 0.0;
 }
 const LessonDescription& LessonProcess::description() const noexcept {
     return parts_->description;

@@ -4,8 +4,8 @@
 // The process is the program's own file started again with `--lesson-process FD`; it closes itself
 // off (sandbox.h) before it reads a word of the lesson. What a lesson does there, hang, crash,
 // gorge, ends in one Error here, with file and line where a line is known. A process that has not
-// answered after `answer_cpu_s` of its own processor time, or `answer_wall_s` of anybody's time, is
-// killed; so a busy machine does not end an innocent lesson.
+// answered after `answer_cpu_s` of its own processor time is killed; the clock on the wall ends none,
+// so a busy machine does not end an innocent lesson. Whoever waits may give it up.
 //
 // Thread: all calls from one thread, and the thread that called `start` must outlive the object
 // (the kernel ends the process with that thread). Cost: start about 10 ms; exchange about 50 us for
@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,9 +48,10 @@ struct LessonProcessOptions {
     std::uint64_t seed = 1;                 ///< of math.random
     std::size_t memory_bytes = 64U << 20U;  ///< that Lua may use, 1 to 256 MiB
     double load_cpu_s = 0.5;                ///< processor time for loading and start()
-    double load_wall_s = 5.0;
-    double answer_cpu_s = 0.1;  ///< processor time for one frame
-    double answer_wall_s = 1.0;
+    double answer_cpu_s = 0.1;              ///< processor time for one frame
+    /// Asked every now and then by `start` and `exchange` while they wait, with the seconds that they have waited; false gives the
+    /// process up. Empty: they wait on.
+    std::function<bool(double)> waits_on;
     std::uint64_t load_instructions = 20'000'000;  ///< Lua's own, friendlier limit; 0 for none
     std::uint64_t frame_instructions = 3'000'000;
 };
@@ -84,6 +86,8 @@ class LessonProcess {
     [[nodiscard]] std::optional<Expected<LessonReply>> poll();
     /// True between `send` and the reply.
     [[nodiscard]] bool waits_for_reply() const noexcept;
+    /// Since when, in seconds; 0 where it waits for none.
+    [[nodiscard]] double waited_s() const noexcept;
 
     /// The process, for measuring; -1 once it is gone.
     [[nodiscard]] pid_t pid() const noexcept;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "runtime/lua/sandbox/arena.h"
+#include "runtime/lua/sandbox/script_error.h"
 #include "runtime/lua/wire/wire.h"
 
 #include <lua5.4/lua.hpp>
@@ -125,16 +126,10 @@ class ScriptState {
         told_place_{};  ///< of an error from elsewhere: a text that was compiled, a coroutine
 };
 
-/// Where level `level` of the running script is; empty when that is no Lua function.
-[[nodiscard]] ScriptError place_of(lua_State* lua, int level);
-/// Where the teacher's own text is: the nearest Lua function that is not of the shared library.
-[[nodiscard]] ScriptError place_in_lesson(lua_State* lua);
 /// Raises `message` at the teacher's line.
 [[noreturn]] void raise_in_lesson(lua_State* lua, const std::string& message);
 /// The same at another place of the lesson's text, where something was declared.
 [[noreturn]] void raise_at(lua_State* lua, const std::string& file, int line,
                            const std::string& message);
-/// A short text fit to be shown: invalid bytes become '?', cut to `max_bytes`.
-[[nodiscard]] std::string clean_text(std::string_view text, std::size_t max_bytes);
 
 }  // namespace fulcrum::runtime

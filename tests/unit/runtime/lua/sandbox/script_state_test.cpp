@@ -1,3 +1,4 @@
+#include "runtime/lua/sandbox/script_error.h"
 #include "runtime/lua/sandbox/script_state.h"
 
 #include "tests/unit/runtime/lua/hosted_lesson.h"
