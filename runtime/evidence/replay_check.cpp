@@ -226,11 +226,14 @@ std::string ReplayCheck::sentence() const {
         return "No round of the record was repeated, so no force was compared.";
     }
     if (report_.same()) {
-        const std::string part = report_.n_compared < record_->samples.size()
-                                     ? " of " + n(record_->samples.size()) + " in the record"
-                                     : "";
-        return "All forces are the record's, bit for bit, in " + n(report_.n_compared) + " rounds" +
-               part + "." + (tells_all(*record_) ? kToldByRecord : "");
+        const std::size_t n_all = record_->samples.size();
+        const std::string same =
+            report_.n_compared < n_all
+                ? "In " + n(report_.n_compared) + " of " + n(n_all) +
+                      " rounds of the record the forces are the same, bit for bit; the others were "
+                      "not repeated."
+                : "All forces are the record's, bit for bit, in " + n(n_all) + " rounds.";
+        return same + (tells_all(*record_) ? kToldByRecord : "");
     }
     std::array<char, 64> when{};
     std::snprintf(when.data(), when.size(), "At %.4f s (round %llu) ", report_.time_s,

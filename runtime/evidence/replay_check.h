@@ -38,7 +38,8 @@ struct ReplayReport {
     std::string effect;  ///< whose share, for Difference::effect
     Wrench is_W{};       ///< what it was now ...
     Wrench was_W{};      ///< ... and in the record
-    [[nodiscard]] bool same() const { return first == Difference::none; }
+    /// Never of nothing.
+    [[nodiscard]] bool same() const { return n_compared > 0 && first == Difference::none; }
 };
 
 class ReplayCheck {

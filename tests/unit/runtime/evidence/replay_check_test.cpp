@@ -76,9 +76,11 @@ TEST_CASE("replay check: the same rounds are the same; those beyond the record d
     CHECK(check.sentence() == "All forces are the record's, bit for bit, in 100 rounds.");
     ReplayCheck part(make_record(), make_header());
     CHECK(part.sentence().find("No round") == 0);
+    CHECK_FALSE(part.report().same());
     part.take(make_round(0));
     CHECK(part.sentence() ==
-          "All forces are the record's, bit for bit, in 1 rounds of 100 in the record.");
+          "In 1 of 100 rounds of the record the forces are the same, bit for bit; the others were "
+          "not repeated.");
 }
 
 TEST_CASE("replay check: one bit is enough, also of a zero's sign and of what is no number") {
