@@ -6,6 +6,7 @@
 #include "runtime/app/question_trials.h"
 #include "runtime/app/quiet_run.h"
 #include "runtime/app/shown_sentences.h"
+#include "runtime/app/walled_work.h"
 #include "runtime/lesson/free_english.h"
 #include "runtime/lesson/list_notes.h"
 #include "runtime/lesson/question_notes.h"
@@ -111,9 +112,10 @@ std::vector<LessonSource> own_sources(const LessonRun& run, const std::filesyste
 std::vector<std::string> notes_before_play(const Installation& installation, const LessonRun& run,
                                            const std::filesystem::path& folder,
                                            const std::vector<LessonSource>& own_files,
-                                           const dialogue::FormCheck& check) {
+                                           const dialogue::FormCheck& check, StageTeller& stages) {
     const LessonDescription& lesson = run.description();
     std::vector<std::string> notes;
+    stages.begin("models and pictures");
     add_mesh_notes(installation.places, folder, lesson, notes);
     add_picture_notes(lesson, folder, notes);
     add_place_notes(lesson, notes);
@@ -122,6 +124,8 @@ std::vector<std::string> notes_before_play(const Installation& installation, con
         sources.texts.push_back(file.text);
     }
     sources.check = check;
+    sources.begins = [&](const std::string& what) { stages.begin(what); };
+    stages.begin("lists and questions");
     // What follows from a noun that is written as a name is not told again of each sentence.
     for (const auto& found :
          {list_notes(lesson), question_notes(with_small_nouns(lesson), sources)}) {
@@ -141,7 +145,8 @@ struct Checked {
 
 /// Plays the lesson's own test; gives the exit code.
 int check_as_meant(const Installation& installation, LessonRun& run,
-                   const std::filesystem::path& folder, Checked& checked) {
+                   const std::filesystem::path& folder, bool is_quick, Checked& checked,
+                   StageTeller& stages) {
     checked.lesson = run.description().id;
     if (auto check = open_english_review(things_of(run.description())); check) {
         checked.check = std::move(*check);
@@ -150,7 +155,12 @@ int check_as_meant(const Installation& installation, LessonRun& run,
     checked.shown.emplace(sources).add_things(run.description());
     checked.shown->add_questions(run.description());
     const std::vector<std::string> notes =
-        notes_before_play(installation, run, folder, sources, checked.check);
+        notes_before_play(installation, run, folder, sources, checked.check, stages);
+    if (is_quick) {
+        checked.n_notes = say_each(notes);
+        return 0;
+    }
+    stages.begin("the play");
     // What stands in functions is only known to be right when it runs.
     QuestionTrials trials(run);
     HeadlessSettings settings;
@@ -171,9 +181,11 @@ int check_as_meant(const Installation& installation, LessonRun& run,
     const auto take_answer = [&](const KnowledgeDescription& known, const std::string& answer) {
         checked.shown->add_answer(known.id, known.line, answer);
     };
+    stages.begin("examples of what is said");
     if (const int unmet = tell_unmet_examples(run, take_answer); unmet != 0) {
         return unmet;
     }
+    stages.begin("questions that were not asked in the play");
     trials.try_others();
     checked.n_notes += say_each(trials.notes());
     return 0;
@@ -192,22 +204,26 @@ int check_with_errors(LessonRun& run, ShownSentences& shown) {
     return happened ? 0 : complain(happened.error(), 1);
 }
 
-}  // namespace
-
-int check_command(const Installation& installation, const Options& options) {
+int check_all(const Installation& installation, const Options& options, StageTeller& stages) {
     Checked checked;
     RunRequest request = quiet_request(options);
     request.learner_without_test = kErringLearner;
+    stages.begin("loading");
     int code = with_run(installation, options, request, [&](LessonRun& run, const auto& folder) {
-        return check_as_meant(installation, run, folder, checked);
+        return check_as_meant(installation, run, folder, options.quick, checked, stages);
     });
     if (code != 0 || interrupted()) {
         return code != 0 ? code : interrupt_exit_code();
     }
-    request.learner_rates = kWrongLearner;
-    code = with_run(installation, options, request, [&](LessonRun& run, const auto& /*folder*/) {
-        return check_with_errors(run, *checked.shown);
-    });
+    if (!options.quick) {
+        request.learner_rates = kWrongLearner;
+        stages.begin("the play of a learner who never knows");
+        code =
+            with_run(installation, options, request, [&](LessonRun& run, const auto& /*folder*/) {
+                return check_with_errors(run, *checked.shown);
+            });
+    }
+    stages.begin("English");
     const ShownReview review = checked.shown->review(checked.check);
     checked.n_notes += say_each(review.notes);
     if (!review.unread.empty()) {
@@ -216,13 +232,22 @@ int check_command(const Installation& installation, const Options& options) {
              "once more:"});
         say_each(review.unread);
     }
+    const char* const not_played = options.quick ? " It was not played; leave --quick away." : "";
     if (code == 0 && checked.n_notes == 0) {
-        std::printf("%s: no mistakes found.\n", checked.lesson.c_str());
+        std::printf("%s: no mistakes found.%s\n", checked.lesson.c_str(), not_played);
     } else if (code == 0) {
-        std::printf("%s: it can be played, but see the %s above.\n", checked.lesson.c_str(),
-                    checked.n_notes == 1 ? "sentence" : "sentences");
+        std::printf("%s: it can be played, but see the %s above.%s\n", checked.lesson.c_str(),
+                    checked.n_notes == 1 ? "sentence" : "sentences", not_played);
     }
     return code;
+}
+
+}  // namespace
+
+int check_command(const Installation& installation, const Options& options) {
+    return run_walled(options.lesson, {}, [&](StageTeller& stages) {
+        return check_all(installation, options, stages);
+    });
 }
 
 }  // namespace fulcrum::runtime

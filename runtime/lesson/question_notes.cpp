@@ -337,6 +337,10 @@ std::vector<std::string> question_notes(const LessonDescription& lesson,
     }
     for (const QuestionDescription& described : lesson.questions) {
         const dialogue::Question& question = questions->at(described.id);
+        if (sources.begins) {
+            sources.begins("question " + described.id +
+                           ", lesson.lua:" + std::to_string(described.line));
+        }
         const std::string head = "lesson.lua:" + std::to_string(described.line) + ": question \"" +
                                  described.id + "\": ";
         for (const std::string& found :

@@ -6,6 +6,7 @@
 #include "dialogue/conversation/conversation.h"
 #include "runtime/scene/description.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct NoteSources {
     std::string heard_words = kHeardWords;  ///< nothing of sounds is said where it cannot be read
     dialogue::FormCheck
         check{};  ///< of free English; nothing is said of what is good English where it is empty
+    std::function<void(const std::string&)>
+        begins{};  ///< told what is looked at from now on, "question heavy, lesson.lua:12"; may be empty
 };
 
 /// One sentence each, beginning with the question's line, "lesson.lua:12: question …": answers that are never taken, sentences
