@@ -75,3 +75,10 @@ claim() {
     fi
     cat "$kept/said.log" >>"$log"
 }
+
+left_out=0
+# leave_out WORDS REASON
+leave_out() {
+    echo "  not run: $1: $2"
+    left_out=$((left_out + 1))
+}

@@ -42,13 +42,6 @@ fi
 
 # ---- a claim a line --------------------------------------------------------------------------------------------------
 
-left_out=0
-# leave_out WORDS REASON
-leave_out() {
-    echo "  not run: $1: $2"
-    left_out=$((left_out + 1))
-}
-
 begun=$SECONDS
 # shellcheck disable=SC2086
 claim "apt installs it with all that it depends on" inside $apt install --no-install-recommends /fulcrum.deb
