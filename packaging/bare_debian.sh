@@ -54,7 +54,7 @@ unpack_bare_debian() {
         debootstrap --variant=minbase "$suite" "$bare" "$mirror" >>"$log" 2>&1 ||
             not_run "a bare Debian could not be fetched: $(tail -n 1 "$log")"
         # shellcheck disable=SC2086 # several words
-        inside $apt update >>"$log" 2>&1 || not_run "the lists of packages could not be fetched: $(tail -n 1 "$log")"
+        inside $apt update --error-on=any >>"$log" 2>&1 || not_run "the lists of packages could not be fetched: $(tail -n 1 "$log")"
         tar --numeric-owner --one-file-system -C "$bare" -cf "$kept/base.tar.part" . && mv "$kept/base.tar.part" "$kept/base.tar"
     else
         tar --numeric-owner -C "$bare" -xpf "$kept/base.tar"
