@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034,SC2154
-# bare_debian.sh: read by what tries programs in a Debian 12 that has nothing of this machine (try.sh). It says in which folder that is
-# ($bare), what is kept for the next time ($kept), and where all is told ($log).
+# bare_debian.sh: read by what tries programs in a Debian 12 that has nothing of this machine (try.sh, cross_build.sh). They say in which
+# folder it is ($bare), what is kept for the next time ($kept), and where all is told ($log).
 suite=bookworm
 apt="apt-get -y -qq -o Dpkg::Use-Pty=0 -o APT::Sandbox::User=root"
 shown=() # which folders of this machine are seen in it, and where: FOLDER PLACE …
