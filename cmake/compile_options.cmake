@@ -23,7 +23,7 @@ endif()
 
 add_library(fulcrum_options INTERFACE)
 # For any processor of the architecture; kernels for later ones are chosen while running (haptics/base/processor.h). No contraction of
-# a*b+c, no fast math: the same source gives the same numbers on every machine.
+# a*b+c, no fast math: the same source gives the same numbers on every machine (README.md has what the C library makes of it on arm64).
 target_compile_options(fulcrum_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
                                                  -Wshadow $<$<BOOL:${FULCRUM_WERROR}>:-Werror>)
 if(NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
