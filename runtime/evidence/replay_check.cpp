@@ -128,6 +128,21 @@ std::string differing(const Kind& kind, const RecordHeader& record, const Record
     return text + ")";
 }
 
+// Where no force differs in the first so many rounds.
+std::string tell_same(const Record& record, std::uint64_t n_compared) {
+    const std::string n = std::to_string(n_compared);
+    const std::string n_all = std::to_string(record.samples.size());
+    if (record.cut_off) {
+        return "In " + n +
+               " rounds of the record the forces are the same, bit for bit, but there " +
+               "is no more of it to be read: " + record.fault + ".";
+    }
+    return n_compared < record.samples.size()
+               ? "In " + n + " of " + n_all + " rounds of the record the forces are the same, " +
+                     "bit for bit; the others were not repeated."
+               : "All forces are the record's, bit for bit, in " + n_all + " rounds.";
+}
+
 }  // namespace
 
 bool tells_all(const Record& record) {
@@ -221,19 +236,11 @@ void ReplayCheck::find_first(const RecordRound& round, std::size_t i) {
 }
 
 std::string ReplayCheck::sentence() const {
-    const auto n = [](std::uint64_t count) { return std::to_string(count); };
     if (report_.n_compared == 0) {
         return "No round of the record was repeated, so no force was compared.";
     }
     if (report_.same()) {
-        const std::size_t n_all = record_->samples.size();
-        const std::string same =
-            report_.n_compared < n_all
-                ? "In " + n(report_.n_compared) + " of " + n(n_all) +
-                      " rounds of the record the forces are the same, bit for bit; the others were "
-                      "not repeated."
-                : "All forces are the record's, bit for bit, in " + n(n_all) + " rounds.";
-        return same + (tells_all(*record_) ? kToldByRecord : "");
+        return tell_same(*record_, report_.n_compared) + (tells_all(*record_) ? kToldByRecord : "");
     }
     std::array<char, 64> when{};
     std::snprintf(when.data(), when.size(), "At %.4f s (round %llu) ", report_.time_s,

@@ -81,6 +81,16 @@ TEST_CASE("replay check: the same rounds are the same; those beyond the record d
     CHECK(part.sentence() ==
           "In 1 of 100 rounds of the record the forces are the same, bit for bit; the others were "
           "not repeated.");
+    Record damaged = *make_record();
+    damaged.cut_off = true;
+    damaged.fault = "the record is damaged";
+    ReplayCheck of_damaged(std::make_shared<const Record>(damaged), make_header());
+    for (int i = 0; i < kRounds; ++i) {
+        of_damaged.take(make_round(i));
+    }
+    CHECK(of_damaged.sentence() ==
+          "In 100 rounds of the record the forces are the same, bit for bit, but there is no more "
+          "of it to be read: the record is damaged.");
 }
 
 TEST_CASE("replay check: one bit is enough, also of a zero's sign and of what is no number") {
