@@ -28,7 +28,7 @@ std::set<std::int32_t> find_in_box(const BoundingTree& tree, const Box& box) {
     return found;
 }
 
-TEST_CASE("bounding tree: every triangle has one slot, for counts around the powers of eight") {
+TEST_CASE("bounding tree: every triangle has one slot, and memory is what the layout says") {
     for (const int n : {1, 2, 3, 5, 16, 17, 40}) {
         const auto mesh = make_plate(1.0, 2.0, n);
         const BoundingTree tree(*mesh);
@@ -41,6 +41,10 @@ TEST_CASE("bounding tree: every triangle has one slot, for counts around the pow
         const Box everything{mesh->lower_B(), mesh->upper_B()};
         REQUIRE(find_in_box(tree, everything).size() == order.size());
     }
+    const auto mesh =
+        make_sphere(1.0, 40);  // 32000 triangles: 4000 + 500 + 63 + 8 + 1 nodes of 96 bytes
+    const BoundingTree tree(*mesh);
+    CHECK(tree.memory_bytes() == (4000 + 500 + 63 + 8 + 1) * 96 + 32000 * 4);
 }
 
 TEST_CASE("bounding tree: a box query misses no triangle and finds few others, at any scale") {
@@ -117,7 +121,8 @@ TEST_CASE("bounding tree: leaves searched for in pieces are those of one search"
     CHECK(search.is_over());
 }
 
-TEST_CASE("bounding tree: the leaves collected hold every triangle near, and few others") {
+TEST_CASE(
+    "bounding tree: leaves collected hold every triangle near, on a box's edge too; few others") {
     // From one leaf that is the root itself to four levels.
     for (const int frequency : {1, 2, 5, 40}) {
         const auto mesh = make_bumpy_sphere(1.0, frequency, 0.1, 7.0);
@@ -143,9 +148,6 @@ TEST_CASE("bounding tree: the leaves collected hold every triangle near, and few
         CHECK(n_needed > 200);
         CHECK(n_leaves < 2 * n_needed);
     }
-}
-
-TEST_CASE("bounding tree: points on a box's very edge are found") {
     const auto mesh = make_plate(1.0, 1.0, 8);
     const BoundingTree tree(*mesh);
     for (const Vector3& vertex : mesh->vertices_B()) {
@@ -201,13 +203,6 @@ TEST_CASE("bounding tree: a visitor that shortens the segment is spared what lie
     });
     CHECK(n_near > 0);
     CHECK(2 * n_near <= n_all + 2);
-}
-
-TEST_CASE("bounding tree: memory is what the layout says") {
-    const auto mesh =
-        make_sphere(1.0, 40);  // 32000 triangles: 4000 + 500 + 63 + 8 + 1 nodes of 96 bytes
-    const BoundingTree tree(*mesh);
-    CHECK(tree.memory_bytes() == (4000 + 500 + 63 + 8 + 1) * 96 + 32000 * 4);
 }
 
 }  // namespace

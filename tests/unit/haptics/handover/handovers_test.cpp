@@ -1,19 +1,94 @@
+#include "haptics/handover/event_ring.h"
 #include "haptics/handover/latest_value.h"
 
 #include <catch2/catch.hpp>
 
 #include <cstdint>
+#include <deque>
+#include <rapidcheck.h>
 
 using namespace fulcrum;
 
-TEST_CASE("latest value: nothing to take before the first publish") {
+namespace {
+
+struct Dated {
+    int time = 0;
+    int content = 0;
+    int n_fills = 0;  // of this slot
+};
+
+// What a thrifty writer tells: `content` under the revision of the same number.
+void publish(ThriftyWriter<Dated>& writer, int time, std::uint64_t revision, int content) {
+    writer.publish(
+        revision,
+        [&](Dated& to) {
+            to.content = content;
+            ++to.n_fills;
+        },
+        [&](Dated& to) { to.time = time; });
+}
+
+}  // namespace
+
+TEST_CASE("event ring: first in, first out; a full one drops the newest and counts it") {
+    EventRing<int, 4> ring;
+    int out = 0;
+    CHECK_FALSE(ring.pop(out));
+    CHECK(ring.push(1));
+    CHECK(ring.push(2));
+    CHECK(ring.pop(out));
+    CHECK(out == 1);
+    CHECK(ring.pop(out));
+    CHECK(out == 2);
+    CHECK_FALSE(ring.pop(out));
+    for (int i = 0; i < 7; ++i) {
+        CHECK(ring.push(i) == (i < 4));
+    }
+    CHECK(ring.dropped() == 3);
+    out = -1;
+    for (int i = 0; i < 4; ++i) {
+        CHECK(ring.pop(out));
+        CHECK(out == i);
+    }
+    CHECK_FALSE(ring.pop(out));
+    CHECK(ring.push(9));
+    CHECK(ring.pop(out));
+    CHECK(out == 9);
+}
+
+TEST_CASE("event ring: does what a bounded queue does, whatever the order of calls") {
+    CHECK(rc::check([](const std::vector<bool>& pushes) {
+        EventRing<int, 8> ring;
+        std::deque<int> model;
+        std::uint64_t dropped = 0;
+        int next = 0;
+        for (const bool push : pushes) {
+            if (push) {
+                const bool fits = model.size() < 8;
+                RC_ASSERT(ring.push(next) == fits);
+                if (fits) {
+                    model.push_back(next);
+                } else {
+                    ++dropped;
+                }
+                ++next;
+            } else {
+                int out = -1;
+                RC_ASSERT(ring.pop(out) == !model.empty());
+                if (!model.empty()) {
+                    RC_ASSERT(out == model.front());
+                    model.pop_front();
+                }
+            }
+        }
+        RC_ASSERT(ring.dropped() == dropped);
+    }));
+}
+
+TEST_CASE("latest value: nothing before the first publish; then the newest, once, still readable") {
     LatestValue<int> value;
     CHECK_FALSE(value.take());
     CHECK(value.value() == 0);
-}
-
-TEST_CASE("latest value: the newest of several is taken, once, and stays readable") {
-    LatestValue<int> value;
     value.publish(1);
     value.publish(2);
     value.publish(3);
@@ -44,27 +119,6 @@ TEST_CASE("latest value: publish and take in every order of three never lose the
         }
     }
 }
-
-namespace {
-
-struct Dated {
-    int time = 0;
-    int content = 0;
-    int n_fills = 0;  // of this slot
-};
-
-// What a thrifty writer tells: `content` under the revision of the same number.
-void publish(ThriftyWriter<Dated>& writer, int time, std::uint64_t revision, int content) {
-    writer.publish(
-        revision,
-        [&](Dated& to) {
-            to.content = content;
-            ++to.n_fills;
-        },
-        [&](Dated& to) { to.time = time; });
-}
-
-}  // namespace
 
 TEST_CASE("thrifty writer: in every order of takes the newest is whole, however often filled") {
     // Two bits a step: publish the same revision, publish the next, take, take.
