@@ -31,7 +31,8 @@ struct Side : EnergyBalance {
 
 }  // namespace
 
-TEST_CASE("energy balance: each side counts what it puts in, in closed form") {
+TEST_CASE(
+    "energy balance: what one side puts in, in closed form, may come out on the other, no more") {
     // A weight of 2 N goes down with the hand by 1 mm, and up again.
     Side arm(LinkSide::arm);
     Side scene(LinkSide::scene);
@@ -42,6 +43,15 @@ TEST_CASE("energy balance: each side counts what it puts in, in closed form") {
     // Down the scene gives 2 mJ, up the hand does.
     CHECK(scene.gave_J() == Approx(0.002).epsilon(1e-12));
     CHECK(arm.gave_J() == Approx(0.002).epsilon(1e-12));
+    arm = Side(LinkSide::arm, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
+    arm.step(1.0, 0.003, 0.004);  // 3 mJ out for 4 in
+    CHECK(arm.excess_J() == 0.0);
+    arm.step(1.0, 0.003, 0.004);  // and 3 more for none
+    CHECK(arm.excess_J() == Approx(0.002).epsilon(1e-3));
+    CHECK(arm.peak_excess_J() == Approx(arm.excess_J()));
+    // It comes late: the excess is gone.
+    arm.step(0.0, 0.0, 0.007);
+    CHECK(arm.excess_J() == 0.0);
 }
 
 TEST_CASE("energy balance: a late motion was gone under the force since the last, or under this") {
@@ -70,18 +80,6 @@ TEST_CASE("energy balance: a late motion was gone under the force since the last
     rested.step(1.0, 0.001);
     CHECK(rested.excess_J() >= 0.001);
     CHECK(rested.excess_J() < 0.0017);
-}
-
-TEST_CASE("energy balance: what was put in on the other side may come out, and no more") {
-    Side arm(LinkSide::arm, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
-    arm.step(1.0, 0.003, 0.004);  // 3 mJ out for 4 in
-    CHECK(arm.excess_J() == 0.0);
-    arm.step(1.0, 0.003, 0.004);  // and 3 more for none
-    CHECK(arm.excess_J() == Approx(0.002).epsilon(1e-3));
-    CHECK(arm.peak_excess_J() == Approx(arm.excess_J()));
-    // It comes late: the excess is gone.
-    arm.step(0.0, 0.0, 0.007);
-    CHECK(arm.excess_J() == 0.0);
 }
 
 TEST_CASE("energy balance: in debt the arm's force gives no more along the way, else as it was") {
@@ -160,7 +158,8 @@ TEST_CASE("energy balance: the scene's hand moves on along the force by what was
     CHECK(scene.excess_J() == Approx(0.0036).epsilon(1e-3));
 }
 
-TEST_CASE("energy balance: a shift goes back free in free space, and else as far as is paid for") {
+TEST_CASE(
+    "energy balance: a shift goes back free in free space, in contact as far as is paid for") {
     Side scene(LinkSide::scene, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
     CHECK(scene.shift_back(0.0, -0.002) == -0.002);
     CHECK(scene.shift_back(-1.0, -0.002) == -0.002);  // the scene gives: free
@@ -168,17 +167,14 @@ TEST_CASE("energy balance: a shift goes back free in free space, and else as far
     scene.step(0.0, 0.0, 0.002);                      // the hand has put 2 mJ in
     CHECK(scene.shift_back(2.0, -0.002) == Approx(-0.001));
     CHECK(scene.shift_back(2.0, -0.001) == Approx(0.0).margin(1e-12));
-}
-
-TEST_CASE("energy balance: in contact a shift comes back by lent power, not faster") {
-    Side scene(LinkSide::scene, {.headroom_J = 0.0, .memory_s = 10.0, .lent_W = 0.004});
+    scene = Side(LinkSide::scene, {.headroom_J = 0.0, .memory_s = 10.0, .lent_W = 0.004});
     // 4 mW for a millisecond against 2 N: 2 um.
     CHECK(scene.shift_back(2.0, -0.001) == Approx(-2e-6));
     CHECK(scene.excess_J() == 0.0);
     CHECK(scene.shift_back(2.0, -1e-7) == Approx(-1e-7));
 }
 
-TEST_CASE("energy balance: credit is small and short-lived") {
+TEST_CASE("energy balance: credit is small, and fades by 1 - T / memory a round") {
     Side arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
     arm.step(0.0, 0.0, 5.0);  // a great deal at once
     arm.step(1.0, 0.002, 5.0);
@@ -190,10 +186,7 @@ TEST_CASE("energy balance: credit is small and short-lived") {
     CHECK(arm.excess_J() == Approx(0.001).epsilon(0.02));
     arm.step(0.0, 0.0, 5.001);
     CHECK(arm.excess_J() < 0.1e-3);
-}
-
-TEST_CASE("energy balance: credit that nobody uses fades by 1 - T / memory a round") {
-    Side arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
+    arm = Side(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
     arm.step(0.0, 0.0, 5.0);
     for (int i = 0; i < 99; ++i) {
         arm.step(0.0, 0.0, 5.0);
@@ -204,7 +197,7 @@ TEST_CASE("energy balance: credit that nobody uses fades by 1 - T / memory a rou
     CHECK(arm.excess_J() == Approx(0.001 - left_J).epsilon(1e-9));
 }
 
-TEST_CASE("energy balance: what is not finite and sums that shrink are not counted") {
+TEST_CASE("energy balance: what is not finite is not counted, and bad settings are refused") {
     Side arm(LinkSide::arm);
     arm.step(kNan, 1.0);
     arm.step(1.0, kNan);
@@ -218,6 +211,11 @@ TEST_CASE("energy balance: what is not finite and sums that shrink are not count
     arm.step(0.0, 0.0, 0.0);
     arm.step(1.0, 0.1, 0.5);
     CHECK(arm.excess_J() == Approx(0.1).epsilon(1e-3));
+    CHECK(validate(EnergyBalanceSettings{}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = -1e-9}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = kNan}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 0.0}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 11.0}));
 }
 
 TEST_CASE("energy balance: a new session begins with no sums, no debt and no force of before") {
@@ -240,12 +238,4 @@ TEST_CASE("energy balance: a new session begins with no sums, no debt and no for
     arm.reset();
     arm.step(1.0, 0.001);
     CHECK(arm.excess_J() == Approx(0.001).epsilon(1e-12));
-}
-
-TEST_CASE("energy balance: settings out of range are refused") {
-    CHECK(validate(EnergyBalanceSettings{}));
-    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = -1e-9}));
-    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = kNan}));
-    CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 0.0}));
-    CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 11.0}));
 }

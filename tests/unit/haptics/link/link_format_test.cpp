@@ -228,7 +228,7 @@ TEST_CASE("link format: who has the key may not say what cannot be") {
     CHECK(why(PacketKind::state, [&](P p) { p.command.max_force_N = kNan; }) == Refusal::none);
 }
 
-TEST_CASE("link format: a name is cut between characters") {
+TEST_CASE("link format: names are cut between characters; any bytes are refused or read, no more") {
     const auto read_back = [](std::string_view text) {
         LinkTraits traits;
         traits.name = make_link_name(text);
@@ -239,9 +239,6 @@ TEST_CASE("link format: a name is cut between characters") {
     CHECK(read_back(std::string(40, 'a')) == std::string(32, 'a'));
     CHECK(read_back(std::string(31, 'a') + "é") == std::string(31, 'a'));
     CHECK(read_back(std::string(30, 'a') + "éb") == std::string(30, 'a') + "é");
-}
-
-TEST_CASE("link format: any bytes whatever are refused or read, and never more") {
     const HmacSeal seal;
     CHECK(rc::check("link format: random bytes", [&] {
         const auto bytes =

@@ -130,7 +130,7 @@ SeenInAll check_seeds(SpoiledCounts (*run)(std::uint64_t seed), std::uint64_t se
 
 }  // namespace
 
-TEST_CASE("spoiled arm: whatever breaks, no limit is passed and every fade comes") {
+TEST_CASE("spoiled arm: whatever breaks, of seven joints too, no limit is passed and all fade") {
     const SeenInAll all =
         check_seeds([](std::uint64_t seed) { return run_spoiled(seed, 60.0); }, 12);
     CHECK(all.fades >= 20);
@@ -138,16 +138,14 @@ TEST_CASE("spoiled arm: whatever breaks, no limit is passed and every fade comes
     for (const std::uint64_t n : all.deeds) {
         CHECK(n >= 10);
     }
-}
-
-TEST_CASE("spoiled arm: of seven joints no force, torque or slew passes its limit, and both fade") {
-    const SeenInAll all = check_seeds([](std::uint64_t seed) { return run_wam(seed, 60.0); }, 10);
-    CHECK(all.turned_rounds > 20000);
-    CHECK(all.peak_Nm > 0.29);
+    const SeenInAll of_wam =
+        check_seeds([](std::uint64_t seed) { return run_wam(seed, 60.0); }, 10);
+    CHECK(of_wam.turned_rounds > 20000);
+    CHECK(of_wam.peak_Nm > 0.29);
     CHECK(run_wam(3, 5.0).hash == run_wam(3, 5.0).hash);
 }
 
-TEST_CASE("spoiled arm: the run's own limit is watched, and passing it is told") {
+TEST_CASE("spoiled arm: the run's own limit is watched, and after a loss its own slew holds") {
     const SpoiledCounts kept = run_spoiled(3, 40.0, 2.0);
     CHECK(kept.broken_limits == 0);
     CHECK(kept.peak_N > 1.9);
@@ -157,9 +155,6 @@ TEST_CASE("spoiled arm: the run's own limit is watched, and passing it is told")
     CHECK(passed.broken_limits > 100);
     CHECK(passed.broken == FeltLimit::force);
     CHECK(passed.bad_since_s > 0.0);
-}
-
-TEST_CASE("spoiled arm: after packets that were lost it goes no faster than the run's own slew") {
     constexpr double kLimit_N = 5.0;
     constexpr double kSlew_N_per_s = 100.0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -200,15 +195,12 @@ TEST_CASE("spoiled arm: limits are the least of run and arm, and any that is pas
     CHECK(find(along(0.0, 0.0), along(0.0, kNan)) == FeltLimit::torque);
 }
 
-TEST_CASE("spoiled arm: one seed, one run, to the bit") {
+TEST_CASE("spoiled arm: one seed, one run, to the bit; what breaks first is known from it alone") {
     const SpoiledCounts once = run_spoiled(5, 20.0);
     for (int again = 0; again < 3; ++again) {
         CHECK(run_spoiled(5, 20.0).hash == once.hash);
     }
     CHECK(run_spoiled(6, 20.0).hash != once.hash);
-}
-
-TEST_CASE("spoiled arm: what breaks first is known from the seed alone") {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         const FirstSpoil first = SpoiledArm::first_of(seed);
         INFO("seed " << seed << ", " << name_of(first.kind));
