@@ -11,11 +11,18 @@
 #include <limits>
 #include <numbers>
 
-namespace fulcrum {
+using namespace fulcrum;
+
 namespace {
 
-// The claim: positions are those of geometry to this part of the solid's size.
 constexpr double kExact = 1.0e-9;
+constexpr double kClearance = 1.0e-10;
+
+SolidPlan solid_of(const Expected<TriangleMesh>& mesh, const Pose& pose_W = {}) {
+    return only_solid(touchable(mesh), pose_W).front();
+}
+
+}  // namespace
 
 TEST_CASE("god object: the whole path scales to the last bit: no tolerance is absolute") {
     const auto trace = [](double scale) {
@@ -123,5 +130,136 @@ TEST_CASE("god object: triangles are at hand from step to step, as often at any 
     }
 }
 
-}  // namespace
-}  // namespace fulcrum
+// The god-object at the limits of its own lengths: clearance, slack, gain; and where one answer hides another.
+
+TEST_CASE("god object: pressed by less than its clearance it stands still and costs no search") {
+    GodObject proxy({solid_of(make_plate(1.0, 1.0, 3))});
+    const double clearance_m = kClearance * std::sqrt(0.5);
+    proxy.reset(Vector3(0.1, 0.2, 0.03));
+    proxy.step(Vector3(0.1, -0.2, 0.03), {});
+    for (const double depth : {2.0, 0.4, 0.1, 0.4, 2.0}) {
+        const ProxyContact& contact = proxy.step(Vector3(0.1, -depth * clearance_m, 0.03), {});
+        CHECK(contact.n_constraints == 1);
+        CHECK(contact.position_W.y() == Approx(clearance_m).epsilon(1e-3));
+        CHECK(proxy.n_sweeps() <= 2);
+    }
+}
+
+TEST_CASE("god object: past an edge it lets go however little there is to gain") {
+    GodObject proxy({solid_of(make_box(Vector3::Ones()))});
+    proxy.reset(Vector3(0.45, 0.6, 0.1));
+    // Five thousand-millionths of a metre below the top: some fifty clearances.
+    for (const double x : {0.45, 0.49, 0.5001, 0.52}) {
+        proxy.step(Vector3(x, 0.5 - 5.0e-9, 0.1), {});
+        CHECK(proxy.contact().solid == (x < 0.5 ? 0 : kNoBody));
+    }
+    CHECK(proxy.contact().position_W == Vector3(0.52, 0.5 - 5.0e-9, 0.1));
+}
+
+TEST_CASE("god object: in a gap narrower than its clearances it slides along, and stays between") {
+    constexpr double kGap_m = 0.5e-10;  // the plates' clearances are 0.7e-10 each
+    const auto plate = make_plate(1.0, 1.0, 3);
+    const std::array<Pose, 2> poses{Pose::at(Vector3::Zero()), Pose::at(Vector3(0.0, kGap_m, 0.0))};
+    GodObject proxy({solid_of(plate, poses[0]), solid_of(plate, poses[1])});
+    proxy.reset(Vector3(-0.3, 0.5 * kGap_m, 0.05));
+    for (int i = 0; i <= 100; ++i) {
+        const Vector3 hand(-0.3 + 0.006 * i, i % 2 == 0 ? -0.1 : 0.1, 0.05 + 0.001 * i);
+        const ProxyContact& contact = proxy.step(hand, poses);
+        REQUIRE(contact.position_W.x() == Approx(hand.x()).margin(1e-12));
+        REQUIRE(contact.position_W.z() == Approx(hand.z()).margin(1e-12));
+        REQUIRE(contact.position_W.y() > 0.0);
+        REQUIRE(contact.position_W.y() < kGap_m);
+    }
+}
+
+TEST_CASE("god object: what it touches takes it along, and over nothing that stands on it") {
+    // A tray with a low wall across its middle; the proxy stands left of the wall, pressed down.
+    const auto tray = TriangleMesh::build(
+        {Vector3(-1, 0, -1), Vector3(1, 0, -1), Vector3(1, 0, 1), Vector3(-1, 0, 1),
+         Vector3(0, 0, -1), Vector3(0, 0, 1), Vector3(0, 0.1, -1), Vector3(0, 0.1, 1)},
+        {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {5, 7, 6}});
+    GodObject proxy({solid_of(tray)});
+    const Vector3 hand(-0.1, -0.5, 0.0);
+    proxy.reset(Vector3(-0.1, 0.5, 0.0));
+    proxy.step(hand, std::array{Pose::at(Vector3::Zero())});
+    REQUIRE(proxy.contact().solid == 0);
+    // Down and left in one step: a proxy that stayed where it was would fly over the wall, and the hand is beyond it.
+    const Pose moved = Pose::at(Vector3(-0.2, -0.3, 0.0));
+    const ProxyContact& contact = proxy.step(hand, std::array{moved});
+    CHECK((contact.position_W - moved.position).norm() < 1e-9);
+    CHECK(contact.n_constraints == 2);
+}
+
+TEST_CASE("god object: carried into a second solid it stays rather than go with that") {
+    // The plate slides under it, towards a wall that moves sideways with a rib on it.
+    const auto wall =
+        TriangleMesh::build({Vector3(0.2, -1, -1), Vector3(0.2, 1, -1), Vector3(0.2, 1, 1),
+                             Vector3(0.2, -1, 1), Vector3(0.05, -1, -0.15), Vector3(0.2, -1, -0.15),
+                             Vector3(0.2, 1, -0.15), Vector3(0.05, 1, -0.15)},
+                            {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+    GodObject proxy({solid_of(make_plate(4.0, 4.0, 3)), solid_of(wall)});
+    proxy.reset(Vector3(0.0, 0.1, 0.0));
+    proxy.step(Vector3(0.0, -0.1, 0.0),
+               std::array{Pose::at(Vector3::Zero()), Pose::at(Vector3::Zero())});
+    REQUIRE(proxy.contact().solid == 0);
+    const ProxyContact& contact =
+        proxy.step(Vector3(0.19, -0.1, 0.0),
+                   std::array{Pose::at(Vector3(0.3, 0.0, 0.0)), Pose::at(Vector3(0.0, 0.0, 0.3))});
+    // From there the way to the hand is free; from where the wall would have taken it the rib is before the hand.
+    CHECK((contact.position_W - Vector3(0.19, 0.0, 0.0)).norm() < 1e-9);
+    CHECK(contact.n_constraints == 1);
+}
+
+TEST_CASE("god object: on a floor beside a ridge only what it stands on holds it") {
+    // Three roofs that meet in a spike, cut by a floor.
+    const auto spike = TriangleMesh::build(
+        {Vector3(0, 0.4, 0), Vector3(1, 0.4, 0), Vector3(-0.5, -0.4, 0.8),
+         Vector3(-0.5, -0.2, -0.8), Vector3(-3, 0, -3), Vector3(3, 0, -3), Vector3(0, 0, 4)},
+        {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {4, 6, 5}});
+    GodObject proxy({solid_of(spike)});
+    proxy.reset(Vector3(0.1, 1.0, -0.15));
+    // In the groove of the first roof, y + z = 0.4, and the floor.
+    proxy.step(Vector3(-0.05, -0.35, 0.3), {});
+    CHECK((proxy.contact().position_W - Vector3(-0.05, 0.0, 0.4)).norm() < 1e-9);
+    CHECK(proxy.contact().n_constraints == 2);
+    // Along the groove's line, but past the ridge where that roof ends: the floor alone.
+    proxy.step(Vector3(-0.3, 0.0, 0.4), {});
+    CHECK((proxy.contact().position_W - Vector3(-0.3, 0.0, 0.4)).norm() < 1e-9);
+    CHECK(proxy.contact().n_constraints == 1);
+    // And on to the foot on the second roof.
+    const Vector3 hand(0.1, -0.1, -0.35);
+    const Vector3 normal = Vector3(-0.5, -0.6, -0.8).cross(Vector3(-0.5, -0.8, 0.8)).normalized();
+    const Vector3 foot = hand - normal.dot(hand - Vector3(0.0, 0.4, 0.0)) * normal;
+    proxy.step(hand, {});
+    CHECK((proxy.contact().position_W - foot).norm() < 1e-9);
+}
+
+TEST_CASE("god object: a start in a face with another right before it goes behind the face") {
+    const SolidPlan lower = solid_of(make_plate(1.0, 1.0, 3));
+    const Vector3 start(0.1, 0.0, 0.03);
+    MovingSolid solid(lower, 0);
+    solid.put_proxy(start);
+    const double clearance_m = solid.find_plane(solid.find_touching().triangle, 1).clearance_m;
+    SolidPlan upper = lower;
+    upper.initial_pose_W = Pose::at(Vector3(0.0, clearance_m, 0.0));
+    GodObject proxy({lower, upper});
+    proxy.reset(start);
+    CHECK(proxy.contact().position_W == Vector3(0.1, -clearance_m, 0.03));
+}
+
+TEST_CASE("god object: a hand up to 1e30 m away is followed, and the smallest mesh touched") {
+    GodObject proxy({solid_of(make_plate(1.0, 1.0, 3))});
+    CHECK(proxy.step(Vector3(0.0, 1.0e30, 0.0), {}).position_W.y() == 1.0e30);
+    CHECK(proxy.step(Vector3(0.0, 1.001e30, 0.0), {}).position_W.y() == 1.0e30);
+    constexpr double kScale = 1.0e-30;
+    auto vertices = make_box(Vector3::Ones())->vertices_B();
+    for (Vector3& vertex : vertices) {
+        vertex *= kScale;
+    }
+    GodObject other(
+        {solid_of(TriangleMesh::build(vertices, make_box(Vector3::Ones())->triangles()))});
+    other.reset(kScale * Vector3(0.1, 0.9, -0.2));
+    const ProxyContact& contact = other.step(kScale * Vector3(0.13, 0.3, -0.22), {});
+    CHECK((contact.position_W / kScale - Vector3(0.13, 0.5, -0.22)).norm() < 1e-9);
+    CHECK(contact.n_constraints == 1);
+}

@@ -40,7 +40,7 @@ ProxyContact press(const SolidShape& shape, double radius_m, const Vector3& star
     return contact;
 }
 
-TEST_CASE("virtual proxy: on a sphere and a capsule it is over the hand's own direction") {
+TEST_CASE("virtual proxy: round bodies hold it over the hand's direction, settled in one step") {
     for (const double radius_m : {0.0, 0.02, 0.5}) {
         const SphereShape sphere{0.1};
         Random random(2);
@@ -59,9 +59,6 @@ TEST_CASE("virtual proxy: on a sphere and a capsule it is over the hand's own di
         CHECK((end.position_W - Vector3(0.6 * (0.1 + radius_m), 0.2 + 0.8 * (0.1 + radius_m), 0.0))
                   .norm() <= 1e-7);
     }
-}
-
-TEST_CASE("virtual proxy: deep in a round body it settles in one step, in a few rounds") {
     // What a tangent plane leaves of the error shrinks by depth over radius, 0.9, a round: alone, 150 rounds.
     for (const double radius_m : {0.0, 0.05}) {
         const double place_m = 0.1 + radius_m;

@@ -52,16 +52,14 @@ std::pair<double, double> sphere_errors_deg(int frequency) {
 
 }  // namespace
 
-TEST_CASE("shading: of a sphere the error falls with the square of the faces' size") {
+TEST_CASE(
+    "shading: errors fall with the faces' size squared; corners and middles are as they are") {
     const auto [flat_8, smooth_8] = sphere_errors_deg(8);
     const auto [flat_16, smooth_16] = sphere_errors_deg(16);
     CHECK(flat_8 > 5.0);
     CHECK(flat_16 == Approx(0.5 * flat_8).epsilon(0.05));
     CHECK(smooth_8 < 0.06 * flat_8);
     CHECK(smooth_16 == Approx(0.25 * smooth_8).epsilon(0.15));
-}
-
-TEST_CASE("shading: at a corner it is the corner's normal, in the middle the mean of three") {
     const auto mesh = touchable(make_sphere(0.05, 3));
     const ShadedNormals shaded(mesh, 60.0);
     for (std::int32_t t = 0; t < mesh->n_triangles(); ++t) {

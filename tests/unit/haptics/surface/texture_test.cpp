@@ -45,7 +45,8 @@ TEST_CASE("texture: the thesis' law, d deep and shallow, in its own words") {
     }
 }
 
-TEST_CASE("texture: Minsky's lateral force goes against the slope and grows with the pressure") {
+TEST_CASE(
+    "texture: Minsky's force goes against the slope; a carved one only as far as it reaches") {
     TextureSettings settings = make_grooves(TextureLaw::lateral);
     settings.gain = 1.5;
     const HeightSample relief{1.0e-4, 0.3, -0.2};
@@ -55,10 +56,7 @@ TEST_CASE("texture: Minsky's lateral force goes against the slope and grows with
         CHECK(felt.along.u_m == Approx(-1.5 * d * 0.3).margin(1e-18));
         CHECK(felt.along.v_m == Approx(1.5 * d * 0.2).margin(1e-18));
     }
-}
-
-TEST_CASE("texture: a carved surface pushes only as far as its relief reaches") {
-    TextureSettings settings = make_grooves(TextureLaw::height_offset);
+    settings = make_grooves(TextureLaw::height_offset);
     const HeightSample valley{0.0, 0.1, 0.0};
     const HeightSample peak{2.0e-4, 0.0, 0.0};
     CHECK(compute_texture_offset(settings, peak, 1.0e-3).normal_m == 0.0);
@@ -213,7 +211,7 @@ TEST_CASE("texture: never a pull, never more than the relief's height, nothing f
     }
 }
 
-TEST_CASE("texture: what fingers would measure of grooves, in closed form") {
+TEST_CASE("texture: what fingers would measure of grooves, and no source is kept beside") {
     TextureSettings settings = make_grooves(TextureLaw::lateral);
     const TextureFacts facts = measure_texture(settings, 500.0, 1.0);
     CHECK(facts.rms_height_m == Approx(1.0e-4 / std::sqrt(2.0)).epsilon(1.0e-3));
@@ -222,9 +220,6 @@ TEST_CASE("texture: what fingers would measure of grooves, in closed form") {
     settings.source = {};
     CHECK(measure_texture(settings, 500.0, 1.0).rms_lateral_share == 0.0);
     CHECK(measure_texture(make_grooves(TextureLaw::lateral), 0.0, 1.0).rms_height_m == 0.0);
-}
-
-TEST_CASE("texture: a source is not kept beside what was made of it") {
     const Texture texture(make_grooves(TextureLaw::lateral));
     CHECK_FALSE(texture.settings().any());
     CHECK(texture.memory_bytes() >= sizeof(Texture) + 63 * sizeof(float));

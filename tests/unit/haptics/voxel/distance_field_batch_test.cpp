@@ -268,7 +268,7 @@ TEST_CASE("distance field batch: along normals the force is continuous where the
     CHECK(largest > 0.1);
 }
 
-TEST_CASE("distance field batch: hits are the numbers of those below zero") {
+TEST_CASE("distance field batch: hits are those below zero, and what is no number is free") {
     // More than two vectors of any version, and a rest.
     Random random(11);
     std::vector<float> values{1.0F,  -1.0F, 0.0F,
@@ -294,9 +294,6 @@ TEST_CASE("distance field batch: hits are the numbers of those below zero") {
         CHECK(kernels->collect_hits(values.data() + 1, 1, few.data()) == 1);
         CHECK(few[2] == -7);
     }
-}
-
-TEST_CASE("distance field batch: a place that is no number is free") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> xs(kLeafPoints, nan);
     const ShellPoints points{xs.data(), xs.data(), xs.data(), xs.data(), xs.data(), xs.data()};

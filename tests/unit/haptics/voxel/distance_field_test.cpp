@@ -1,11 +1,19 @@
 #include "haptics/voxel/distance_field.h"
 
+#include "haptics/base/processor.h"
+#include "haptics/voxel/distance_field_batch.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/field_parts.h"
+#include "tests/support/hard_meshes.h"
+#include "tests/support/refused.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace fulcrum;
+using test::build_field;
 
 namespace {
 
@@ -22,6 +30,19 @@ Fixture make(const TriangleMesh& mesh, int n_along) {
 const Fixture& bumpy() {
     static const Fixture kBumpy = make(*make_bumpy_sphere(1.0, 16, 0.05, 12.0), 64);
     return kBumpy;
+}
+
+bool is_same(const DistanceField& a, const DistanceField& b) {
+    const auto same_entry = [](const DistanceField::Entry& x, const DistanceField::Entry& y) {
+        return x.brick == y.brick && x.centre_voxels == y.centre_voxels;
+    };
+    const auto same_brick = [](const DistanceField::Brick& x, const DistanceField::Brick& y) {
+        return x.values == y.values;
+    };
+    return std::equal(a.table().begin(), a.table().end(), b.table().begin(), b.table().end(),
+                      same_entry) &&
+           std::equal(a.bricks().begin(), a.bricks().end(), b.bricks().begin(), b.bricks().end(),
+                      same_brick);
 }
 
 }  // namespace
@@ -204,4 +225,165 @@ TEST_CASE("distance field: what is thinner than a brick, or one brick long, has 
         CHECK(thin.field.sample_depth({0.1, y, 0.0}).depth_m ==
               -thin.field.sample({0.1, y, 0.0}).value_m);
     }
+}
+
+TEST_CASE("distance field settings: the frame holds mesh and band; what holes lead to is told") {
+    for (const Vector3& edges : {Vector3(1.0, 1.0, 1.0), Vector3(3.0, 0.1, 0.7)}) {
+        const TriangleMesh box = *make_box(edges);
+        const VoxelFrame frame = DistanceField::make_frame(box, 80).value();
+        CHECK(*std::max_element(frame.n_cells.begin(), frame.n_cells.end()) == 80);
+        for (const std::int32_t n : frame.n_cells) {
+            CHECK(n % 8 == 0);
+        }
+        CHECK(DistanceField::build(box, frame).has_value());
+    }
+    const TriangleMesh ball = *make_sphere(1.0, 4);
+    CHECK_FALSE(build_field(ball, 32).tell_holes());
+    const TriangleMesh open = test::take_first(ball, -1);
+    const auto told = build_field(open, 32).tell_holes();
+    REQUIRE(told);
+    CHECK(to_sentence(*told) ==
+          "the mesh has 3 open edges: its holes are felt as if skins closed them, and a tool that "
+          "looks only at what is near may pass through these; close the holes, or build the field "
+          "as a sheet (sheet_voxels).");
+    CHECK_FALSE(build_field(open, 32, {.sheet_voxels = 2.0}).tell_holes());
+}
+
+TEST_CASE("distance field settings: what cannot be built is refused with a reason") {
+    const TriangleMesh ball = *make_sphere(1.0, 4);
+    const VoxelFrame good = DistanceField::make_frame(ball, 64).value();
+    CHECK_FALSE(DistanceField::make_frame(ball, 60));
+    CHECK_FALSE(DistanceField::make_frame(ball, 8));
+    CHECK_FALSE(DistanceField::make_frame(ball, 4096));
+    CHECK_FALSE(DistanceField::make_frame(ball, 16, 8.0));
+
+    VoxelFrame odd = good;
+    odd.n_cells[1] = 63;
+    CHECK_FALSE(DistanceField::build(ball, odd));
+    VoxelFrame flat = good;
+    flat.voxel_m = 0.0;
+    CHECK_FALSE(DistanceField::build(ball, flat));
+    VoxelFrame aside = good;
+    aside.lower_O.x() += 4.0 * good.voxel_m;
+    CHECK(
+        test::is_refused(DistanceField::build(ball, aside), "from the mesh; take a larger block"));
+
+    test::check_refused(
+        DistanceFieldSettings{},
+        {[](auto& s) { s.band_voxels = 1.0; }, [](auto& s) { s.band_voxels = std::nan(""); },
+         [](auto& s) { s.n_threads = 0; }, [](auto& s) { s.sheet_voxels = 0.5; },
+         [](auto& s) { s.sheet_voxels = 3.5; },  // more than the band
+         [](auto& s) { s.sheet_voxels = std::nan(""); }});
+    CHECK(validate(DistanceFieldSettings{.sheet_voxels = 3.0}));
+    // A sheet is that much larger than its mesh.
+    CHECK_FALSE(DistanceField::build(ball, good, {.sheet_voxels = 2.0}));
+    CHECK(build_field(ball, 64, {.sheet_voxels = 2.0}).sheet_m() > 0.0);
+    CHECK_FALSE(DistanceField::build(ball, good, {.n_threads = 0}));
+}
+
+TEST_CASE(
+    "distance field build: the same bits on one thread and on several, and progress is told") {
+    const TriangleMesh mesh = *make_bumpy_sphere(1.0, 30, 0.05, 12.0);
+    const VoxelFrame frame = DistanceField::make_frame(mesh, 256).value();
+    double told = 0.0;
+    const DistanceField one =
+        DistanceField::build(mesh, frame, {.n_threads = 1}, [&](double share) {
+            CHECK(share >= told);
+            told = share;
+            return true;
+        }).value();
+    CHECK(told == 1.0);
+    CHECK(is_same(one, DistanceField::build(mesh, frame, {.n_threads = 3}).value()));
+}
+
+TEST_CASE("distance field build: it stops at whatever share it is told to, and says so") {
+    const TriangleMesh mesh = *make_sphere(1.0, 20);
+    const VoxelFrame frame = DistanceField::make_frame(mesh, 128).value();
+    for (const double most : {0.0, 0.5}) {
+        double told = 0.0;
+        const auto stopped = DistanceField::build(mesh, frame, {}, [&](double share) {
+            told = share;
+            return share < most;
+        });
+        REQUIRE_FALSE(stopped);
+        CHECK(told >= most);
+        CHECK(told < 1.0);
+        CHECK(stopped.error().message.find("stopped") != std::string::npos);
+    }
+}
+
+TEST_CASE("distance field build: what takes minutes is refused, memory is that of the surface") {
+    const TriangleMesh heap = *make_heap(4000, 1);
+    const VoxelFrame frame = DistanceField::make_frame(heap, 256).value();
+    const auto refused = DistanceField::build(heap, frame);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message ==
+          "its 4000 triangles cross each other, or are open, so much that to find its inside would "
+          "take minutes");
+    // What is said is more than the voxel that was tried, and a few hundred of such triangles are made.
+    const std::string& advice = refused.error().what_to_do;
+    const double voxel_m = std::stod(advice.substr(advice.find("voxels") + 7));
+    CHECK(voxel_m > 2.0 * frame.voxel_m);
+    CHECK(voxel_m < 64.0 * frame.voxel_m);
+    CHECK(build_field(*make_heap(100, 1), 32).counts().n_open_edges == 300);
+    const DistanceField field = build_field(*make_sphere(1.0, 20), 128);
+    CHECK(field.counts().n_open_edges == 0);
+    CHECK(field.counts().n_bricks < 16 * 16 * 16 / 2);
+    CHECK(field.memory_bytes() < 2UL * 3 * 128 * 128 * 128 / 5);
+    CHECK(field.bricks().size() == static_cast<std::size_t>(field.counts().n_bricks) + 2);
+}
+
+TEST_CASE("distance field build: doubled, loose and turned triangles have a ball's inside") {
+    const TriangleMesh ball = *make_sphere(1.0, 16);
+    const DistanceField field = build_field(make_messy(ball, 0.0).value(), 64);
+    CHECK(field.counts().n_open_edges > 0);
+    Random random(8);
+    for (int i = 0; i < 2000; ++i) {
+        const double r = 1.0 + 0.3 * random.uniform();
+        const double value = field.sample(r * random.direction()).value_m;
+        if (std::abs(r - 1.0) > 0.02) {
+            CHECK((value < 0.0) == (r < 1.0));
+        }
+    }
+}
+
+TEST_CASE("distance field build: a thin wall has an inside of its own") {
+    const double thickness_m = 0.02;
+    const TriangleMesh wall = *make_box({1.0, thickness_m, 1.0});
+    const DistanceField field = build_field(wall, 128);
+    CHECK(field.frame().voxel_m > 0.4 * thickness_m);
+    CHECK(field.sample({0.1, 0.0, 0.2}).value_m < 0.0);
+    CHECK(field.sample({0.1, 0.011, 0.2}).value_m > 0.0);
+    CHECK(field.sample({0.1, -0.011, 0.2}).value_m > 0.0);
+}
+
+TEST_CASE("distance field build: a sheet is |distance| less its half thickness, on both sides") {
+    // A hollow ball: as a solid it is full, as a sheet it is a skin.
+    const TriangleMesh ball = *make_sphere(1.0, 60);
+    const DistanceField sheet = build_field(ball, 64, {.sheet_voxels = 2.0});
+    const double s = sheet.frame().voxel_m;
+    CHECK(sheet.sheet_m() == Approx(2.0 * s));
+    Random random(21);
+    for (int i = 0; i < 5000; ++i) {
+        const Vector3 p = 1.1 * random.in_cube();
+        const double d = std::abs(p.norm() - 1.0) - 2.0 * s;
+        const double value = sheet.sample(p).value_m;
+        CHECK(std::abs(value - std::min(d, 3.0 * s)) < sheet.error_bound_m() + 2.0e-4);
+        // What is said to be free is free, and bounds are bounds.
+        CHECK((value <= 0.0 ||
+               sheet.sample(p + sheet.find_free_radius_m(p) * random.direction()).value_m > 0.0));
+        const double bound = sheet.bound_distance_m(p);
+        CHECK((bound >= 0.0 ? bound <= std::max(d, 0.0) + 2.0e-4
+                            : bound >= std::min(d, 0.0) - 2.0e-4));
+        CHECK(sheet.sample_depth(p).depth_m == Approx(std::max(-value, 0.0)));
+    }
+}
+
+TEST_CASE("distance field kernels: the widest that the processor has are taken") {
+    const auto all = all_field_kernels();
+    REQUIRE(all[0] != nullptr);
+    CHECK((all[1] != nullptr) == has_avx2());
+    CHECK((all[2] != nullptr) == has_avx512());
+    CHECK(best_field_kernels().name == name_kernels());
+    CHECK(&best_field_kernels() == (has_avx512() ? all[2] : has_avx2() ? all[1] : all[0]));
 }

@@ -1,8 +1,12 @@
+#include "haptics/surface/relief.h"
 #include "haptics/surface/texture_map.h"
+#include "haptics/surface/triplanar.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <random>
 #include <rapidcheck.h>
@@ -12,6 +16,47 @@ using namespace fulcrum;
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+Texture make_bumps(TextureLaw law) {
+    TextureSettings settings;
+    settings.source = NoiseTexture{0.002, 0.004, 2};
+    settings.law = law;
+    settings.height_m = 3.0e-4;
+    return Texture(settings);
+}
+
+Vector3 any_unit() {
+    for (;;) {
+        const auto any = [] { return 0.01 * *rc::gen::inRange(-100, 101); };
+        const Vector3 v(any(), any(), any());
+        if (v.norm() > 0.1) {
+            return v.normalized();
+        }
+    }
+}
+
+TextureSettings with(const TextureSource& source) {
+    TextureSettings settings;
+    settings.source = source;
+    return settings;
+}
+
+// Power of the waves (i, j) of an n x n map, by a transform of each row and then each column.
+double power_at(const HeightMap& map, int i, int j) {
+    const double turn = -2.0 * std::numbers::pi;
+    std::complex<double> sum = 0.0;
+    for (std::int32_t v = 0; v < map.n_v; ++v) {
+        std::complex<double> row = 0.0;
+        for (std::int32_t u = 0; u < map.n_u; ++u) {
+            row += static_cast<double>(
+                       map.heights[static_cast<std::size_t>(v) * static_cast<std::size_t>(map.n_u) +
+                                   static_cast<std::size_t>(u)]) *
+                   std::polar(1.0, turn * i * u / map.n_u);
+        }
+        sum += row * std::polar(1.0, turn * j * v / map.n_v);
+    }
+    return std::norm(sum);
+}
 
 HeightMap make_random(std::int32_t n_u, std::int32_t n_v, unsigned seed) {
     std::mt19937 random(seed);
@@ -32,6 +77,110 @@ HeightMap make_wave(std::int32_t n, int waves) {
 }
 
 }  // namespace
+
+TEST_CASE("triplanar: a face along an axis has one view; weights add up to one, without a step") {
+    const Vector3 p(0.01, 0.02, 0.03);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            const Vector3 normal = sign * Vector3::Unit(static_cast<Index>(axis));
+            const Vector3 weights = compute_view_weights(normal);
+            CHECK(weights == Vector3::Unit(static_cast<Index>(axis)));
+        }
+    }
+    CHECK(project_on_view(0, p).u_m == 0.03);
+    CHECK(project_on_view(0, p).v_m == 0.02);
+    CHECK(project_on_view(1, p).u_m == 0.01);
+    CHECK(project_on_view(1, p).v_m == 0.03);
+    CHECK(project_on_view(2, p).u_m == 0.01);
+    CHECK(project_on_view(2, p).v_m == 0.02);
+    CHECK(rc::check("for any normal", [] {
+        const Vector3 normal = any_unit();
+        const Vector3 weights = compute_view_weights(normal);
+        RC_ASSERT(std::abs(weights.sum() - 1.0) < 1.0e-12);
+        RC_ASSERT(weights.minCoeff() >= 0.0);
+        const Vector3 beside = (normal + 1.0e-6 * any_unit()).normalized();
+        RC_ASSERT((compute_view_weights(beside) - weights).cwiseAbs().maxCoeff() < 1.0e-4);
+    }));
+}
+
+TEST_CASE("triplanar: a slope lies along the surface; on a floor it is the texture itself") {
+    static const Texture lateral = make_bumps(TextureLaw::lateral);
+    static const Texture carved = make_bumps(TextureLaw::height_offset);
+    CHECK(rc::check("for any normal", [] {
+        const Vector3 normal = any_unit();
+        const Vector3 place = 0.01 * any_unit();
+        const BodyOffset felt = feel_on_body(lateral, place, 1.0e-4 * any_unit(), normal, 0.002);
+        RC_ASSERT(std::abs(felt.offset_B_m.dot(normal)) < 1.0e-15);
+        const BodyOffset cut = feel_on_body(carved, place, Vector3::Zero(), normal, 0.002);
+        RC_ASSERT(cut.offset_B_m.dot(normal) <= 1.0e-15);
+        // Between its samples a relief may reach a little over its peak.
+        RC_ASSERT(std::abs(-cut.offset_B_m.dot(normal) - (3.0e-4 - cut.height_m)) < 3.0e-6);
+    }));
+    const Texture texture = make_bumps(TextureLaw::perturbed_normal);
+    const Vector3 place(0.0013, 0.5, -0.0021);
+    const Vector3 stroke(3.0e-4, 0.0, 1.0e-4);
+    const BodyOffset felt = feel_on_body(texture, place, stroke, Vector3::UnitY(), 0.001);
+    const TextureOffset flat = texture.feel({0.0013, -0.0021}, {3.0e-4, 1.0e-4}, 0.001);
+    CHECK(felt.offset_B_m.x() == flat.along.u_m);
+    CHECK(felt.offset_B_m.z() == flat.along.v_m);
+    CHECK(felt.offset_B_m.y() == Approx(flat.normal_m).margin(1.0e-18));
+    CHECK(felt.place.u_m == 0.0013);
+    CHECK(felt.place.v_m == -0.0021);
+    CHECK(felt.height_m == flat.height_m);
+}
+
+TEST_CASE("relief: grooves are one wave from 0 to 1, without an end along the groove") {
+    const Relief relief = make_relief(with(SineTexture{0.003, 0.7}));
+    CHECK(relief.tile_u_m == 0.003);
+    CHECK(relief.tile_v_m > 1.0e6);
+    CHECK(relief.turn_rad == 0.7);
+    CHECK(relief.map.n_v == 1);
+    const auto [low, high] = std::ranges::minmax(relief.map.heights);
+    CHECK(low == 0.0F);
+    CHECK(high == 1.0F);
+    CHECK(relief.map.heights.front() == 0.5F);
+    CHECK(validate(with(ImageTexture{std::make_shared<const HeightMap>(relief.map), 1.0, 1.0})));
+}
+
+TEST_CASE("relief: an image is taken as it is") {
+    const auto map = std::make_shared<const HeightMap>(HeightMap{2, 1, {0.25F, 1.0F}});
+    const Relief relief = make_relief(with(ImageTexture{map, 0.1, 0.2}));
+    CHECK(relief.map.heights == map->heights);
+    CHECK(relief.tile_u_m == 0.1);
+    CHECK(relief.tile_v_m == 0.2);
+}
+
+TEST_CASE("relief: bumps have waves of the band and no other") {
+    const NoiseTexture noise{0.001, 0.003, 5};
+    const Relief relief = make_relief(with(noise));
+    CHECK(relief.tile_u_m == Approx(4.0 * noise.longest_m));
+    REQUIRE(relief.map.n_u == 64);  // 12 of the shortest waves, 4 samples each at least
+    double inside = 0.0;
+    double outside = 0.0;
+    for (int i = -16; i <= 16; ++i) {
+        for (int j = 0; j <= 16; ++j) {
+            const double waves = std::hypot(i, j);
+            // Rounding to whole waves in the tile moves each by 0.71 at most.
+            const bool in_band = waves > 4.0 - 0.71 && waves < 12.0 + 0.71;
+            (in_band ? inside : outside) += i == 0 && j == 0 ? 0.0 : power_at(relief.map, i, j);
+        }
+    }
+    CHECK(outside < 1.0e-9 * inside);  // heights are in single precision
+    const auto [low, high] = std::ranges::minmax(relief.map.heights);
+    CHECK(low == 0.0F);
+    CHECK(high == 1.0F);
+}
+
+TEST_CASE("relief: the seed says which bumps; the widest band fits, and no source is flat") {
+    const auto heights = [](std::uint32_t seed) {
+        return make_relief(with(NoiseTexture{0.001, 0.002, seed})).map.heights;
+    };
+    CHECK(heights(3) == heights(3));
+    CHECK(heights(3) != heights(4));
+    const Relief relief = make_relief(with(NoiseTexture{0.001, 0.064, 1}));
+    CHECK(relief.map.n_u == 1024);
+    CHECK(make_relief({}).map.heights == std::vector<float>{0.0F});
+}
 
 TEST_CASE("texture map: the finest level goes through every sample") {
     for (const auto& [n_u, n_v] : {std::pair{1, 1}, {2, 1}, {3, 2}, {7, 5}, {16, 16}, {40, 9}}) {

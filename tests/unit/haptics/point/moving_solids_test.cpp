@@ -1,6 +1,8 @@
-#include "haptics/point/moving_solid.h"
-
+#include "haptics/collision/mesh_obstacle.h"
 #include "haptics/geometry/shape.h"
+#include "haptics/point/moving_obstacle.h"
+#include "haptics/point/moving_solid.h"
+#include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,15 +10,53 @@
 #include <limits>
 #include <random>
 
-namespace fulcrum {
+using namespace fulcrum;
+
 namespace {
 
+constexpr double kRadius_m = 0.1;
 const Pose kPose{Vector3(3.0, -2.0, 1.0), Quaternion(AngleAxis(0.8, Vector3(0.6, 0.0, 0.8)))};
+
+MovingObstacle make_plate_at(const Pose& pose_W) {
+    return {std::make_unique<MeshObstacle>(touchable(make_plate(1.0, 1.0, 1)), kRadius_m), 2,
+            pose_W};
+}
 
 MovingSolid make_solid(const Expected<TriangleMesh>& mesh, const Pose& pose_W) {
     REQUIRE(mesh);
     return MovingSolid(
         {.body = 5, .shape = *CollisionMesh::create(*mesh), .initial_pose_W = pose_W}, 2);
+}
+
+}  // namespace
+
+TEST_CASE("moving obstacle: planes and ways are those of the turned and moved solid") {
+    MovingObstacle plate = make_plate_at(kPose);
+    plate.put_proxy(kPose * Vector3(-0.3, -0.35, 0.1));
+    const ObstaclePlane plane = plate.find_plane(0);
+    CHECK(plane.solid == 2);
+    CHECK((plane.normal_W - kPose.orientation * Vector3(0.0, -1.0, 0.0)).norm() < 1e-15);
+    CHECK(plane.gap_m == Approx(0.25).epsilon(1e-14));
+    CHECK(plane.clearance_m > 1e-11);
+    CHECK(plane.clearance_m < 1e-9);
+    plate = make_plate_at(Pose{});
+    plate.put_proxy(Vector3(0.1, 0.2, 0.1));
+    CHECK_FALSE(plate.cast(Vector3(0.1, 0.11, 0.1), 0.1, {}).found());
+    CHECK(plate.cast(Vector3(0.1, 0.0, 0.1), 0.1, {}).t == Approx(0.5));
+    // The plate comes up by 0.2 m past a hand that stays.
+    CHECK(plate.take_pose(Pose::at(Vector3(0.0, 0.2, 0.0))));
+    CHECK(plate.cast(Vector3(0.1, 0.2, 0.1), 0.1, {}).t == Approx(0.5));
+    CHECK((plate.carried_proxy_W() - Vector3(0.1, 0.4, 0.1)).norm() < 1e-15);
+    CHECK(plate.find_deepest() == -1);
+    plate.put_proxy(Vector3(0.1, 0.25, 0.1));
+    CHECK(plate.find_deepest() >= 0);
+}
+
+TEST_CASE("moving obstacle: it is near when the ball can come to touch it") {
+    const MovingObstacle plate = make_plate_at(Pose::at(Vector3(5.0, 0.0, 0.0)));
+    const double corner_m = std::sqrt(0.5) + kRadius_m;
+    CHECK(plate.is_near(Vector3(5.0 + corner_m + 0.2, 0.0, 0.0), 0.21));
+    CHECK_FALSE(plate.is_near(Vector3(5.0 + corner_m + 0.2, 0.0, 0.0), 0.19));
 }
 
 TEST_CASE("moving solid: a plane is that of the turned and moved triangle, on the side asked for") {
@@ -148,14 +188,11 @@ TEST_CASE("moving solid: over a triangle means that the foot lies within its edg
     }
 }
 
-TEST_CASE("moving solid: near is all that a ball can reach, and not much more") {
+TEST_CASE("moving solid: near is all that a ball can reach; a turn of any length is that turn") {
     const MovingSolid ball = make_solid(make_sphere(0.5, 4), kPose);
     const Vector3 away = Vector3(1.0, 2.0, -1.0).normalized();
     CHECK(ball.is_near(kPose.position + 2.0 * away, 1.5));
     CHECK_FALSE(ball.is_near(kPose.position + 2.0 * away, 1.49));
-}
-
-TEST_CASE("moving solid: a turn that is not of unit length is the same turn") {
     for (const double length : {1e-3, 0.999, 2.0, 1e6}) {
         Pose scaled = kPose;
         scaled.orientation.coeffs() *= length;
@@ -165,7 +202,8 @@ TEST_CASE("moving solid: a turn that is not of unit length is the same turn") {
     }
 }
 
-TEST_CASE("moving solid: far from the origin the clearance stays above the rounding of places") {
+TEST_CASE(
+    "moving solid: far out the clearance stays above rounding; a foot on the edge is beside") {
     for (const double scale : {1e-6, 1e-3, 1.0}) {
         const Pose far_away = Pose::at(Vector3(700.0, -1000.0, 300.0));
         const TouchedPlane plane =
@@ -174,9 +212,6 @@ TEST_CASE("moving solid: far from the origin the clearance stays above the round
         CHECK(plane.clearance_m > 64.0 * rounding_m);
         CHECK(plane.clearance_m < 256.0 * rounding_m + 1e-10 * scale);
     }
-}
-
-TEST_CASE("moving solid: a foot on the edge, to within rounding, counts as beside") {
     MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), Pose{});
     const auto over_any = [&](double x) {
         plate.put_proxy(Vector3(x, 0.3, 0.1));
@@ -186,6 +221,3 @@ TEST_CASE("moving solid: a foot on the edge, to within rounding, counts as besid
     CHECK_FALSE(over_any(0.5 - 2e-14));
     CHECK_FALSE(over_any(0.5));
 }
-
-}  // namespace
-}  // namespace fulcrum
