@@ -35,7 +35,7 @@ void check_stands(ContactStack& stack, double within_m) {
     CHECK(std::abs(stack.sunk_m()) <= within_m);
 }
 
-TEST_CASE("iterative solver: more rounds leave less, and too few are told") {
+TEST_CASE("iterative solver: more rounds leave less; it starts from the last step's impulses") {
     double before = HUGE_VAL;
     for (const int n_rounds : {4, 40, 400}) {
         ContactStack stack({.n_cubes = 6}, in_rounds(n_rounds));
@@ -45,14 +45,13 @@ TEST_CASE("iterative solver: more rounds leave less, and too few are told") {
         CHECK(report.residual_m_per_s < 0.5 * before);
         before = report.residual_m_per_s;
     }
-}
-TEST_CASE("iterative solver: it starts from the last step's impulses") {
     ContactStack stack({.n_cubes = 2}, settings_of(ContactMethod::iterative));
     const int first = stack.step().n_iterations;
     CHECK(first > 10);
     CHECK(stack.step().n_iterations < first / 2);
 }
-TEST_CASE("iterative solver: however few its rounds, no contact holds more than friction does") {
+
+TEST_CASE("iterative solver: friction's bound holds in few rounds, and unsolved is not sliding") {
     for (const int n_rounds : {1, 2, 5}) {
         ContactStack stack({.n_cubes = 6, .friction = 0.2, .start_gap_m = 0.0005},
                            in_rounds(n_rounds));
@@ -66,8 +65,6 @@ TEST_CASE("iterative solver: however few its rounds, no contact holds more than 
             }
         }
     }
-}
-TEST_CASE("iterative solver: what is not yet solved is not called sliding") {
     ContactStack stack({.n_cubes = 6}, in_rounds(3));
     // A stack at rest: what moves is what three rounds leave.
     for (int k = 0; k < 5; ++k) {
@@ -93,7 +90,7 @@ TEST_CASE("dantzig and newton solver: the corners of a stack share its weight al
     check_shares(4, ContactMethod::newton, kSolved);
 }
 
-TEST_CASE("dantzig solver: a stack stands, and from its last sets nothing is driven") {
+TEST_CASE("dantzig solver: a stack stands; contradicting rows are answered, finite, and told") {
     ContactStack stack({.n_cubes = 4}, settings_of(ContactMethod::dantzig));
     CHECK(stack.step().n_pivots > 0);
     for (int k = 0; k < 50; ++k) {
@@ -102,9 +99,6 @@ TEST_CASE("dantzig solver: a stack stands, and from its last sets nothing is dri
         CHECK(report.n_pivots == 0);
     }
     check_stands(stack, kPivotedPlace_m);
-}
-
-TEST_CASE("dantzig solver: rows that contradict each other are answered, finite, and told") {
     ContactProblem problem({1, 0, 2});
     problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
     for (const double target : {1.0, -1.0}) {
@@ -142,6 +136,7 @@ TEST_CASE("dantzig solver: what it tells of a problem is of that one, whatever i
     CHECK(sound.converged);
     CHECK(sound.n_regularised == 0);
 }
+
 TEST_CASE("dantzig solver: where friction's bounds never agree that is counted") {
     // What slides presses the more the less it is dragged: no rounds of bounds end there.
     const std::vector<double> friction{5.0};
@@ -163,6 +158,7 @@ TEST_CASE("dantzig solver: where friction's bounds never agree that is counted")
     }
     CHECK(n_apart > 0);
 }
+
 TEST_CASE("newton solver: stacks stand, and are seldom solved again") {
     for (const int n : {1, 2, 10, 20}) {
         for (const double top_mass_kg : {1.0, 100.0}) {
@@ -184,17 +180,16 @@ TEST_CASE("newton solver: stacks stand, and are seldom solved again") {
         }
     }
 }
-TEST_CASE("newton solver: a stack that falls lands and stands within few solves a step") {
+
+TEST_CASE("newton solver: a falling stack lands in few solves; mass ratios make nothing harder") {
     constexpr int kMostSolves = 40;
-    ContactStack stack({.n_cubes = 10, .start_gap_m = 0.005}, settings_of(ContactMethod::newton));
+    ContactStack falling({.n_cubes = 10, .start_gap_m = 0.005}, settings_of(ContactMethod::newton));
     for (int k = 0; k < 1000; ++k) {
-        const SolveReport report = stack.step();
+        const SolveReport report = falling.step();
         CHECK(report.converged);
         CHECK(report.n_iterations <= kMostSolves);
     }
-    check_stands(stack, kPlace_m);
-}
-TEST_CASE("newton solver: a heavy body on a light one is no harder than another") {
+    check_stands(falling, kPlace_m);
     for (const double heavy_kg : {1.0e3, 1.0e6}) {
         CAPTURE(heavy_kg);
         ContactStack stack({.n_cubes = 3, .top_mass_kg = heavy_kg},
@@ -206,6 +201,7 @@ TEST_CASE("newton solver: a heavy body on a light one is no harder than another"
         }
     }
 }
+
 SolveReport solve_by_newton(ContactProblem& problem, const ContactSolverSettings& settings) {
     std::vector<double> friction;
     for (const ContactConstraint& c : problem.contacts()) {
@@ -215,7 +211,7 @@ SolveReport solve_by_newton(ContactProblem& problem, const ContactSolverSettings
         .solve(problem, friction, settings.tolerance_m_per_s);
 }
 
-TEST_CASE("newton solver: what is linear takes two or three solves, tied bodies and soft too") {
+TEST_CASE("newton solver: linear takes two or three solves, sliding a few") {
     const Vector3 arm(0.1, 0.05, 0.0);
     for (const double softness : {0.0, 0.1}) {
         ContactProblem problem({8, 0, 32});
@@ -237,9 +233,6 @@ TEST_CASE("newton solver: what is linear takes two or three solves, tied bodies 
         CHECK(report.n_iterations <= 4);
         CHECK(report.n_regularised == 0);
     }
-}
-
-TEST_CASE("newton solver: what slides takes a few solves, from nothing and from the last slip") {
     ContactProblem problem({1, 4, 0});
     problem.add_body(1.0, cube_inertia(1.0, 0.1), moving({2.0, -kGravity * kStep_s, 0.5}));
     add_corners(problem, 0, 0.1, 0.3, make_contact_axes(Vector3::UnitY()));
@@ -257,6 +250,7 @@ TEST_CASE("newton solver: what slides takes a few solves, from nothing and from 
     CHECK(second.converged);
     CHECK(second.n_iterations <= 4);
 }
+
 TEST_CASE("newton solver: however few its solves, it is no worse than the last answer or none") {
     for (const int most : {1, 2, 3, 5}) {
         ContactSolverSettings settings = settings_of(ContactMethod::newton);
