@@ -10,7 +10,6 @@
 #include <catch2/catch.hpp>
 
 #include <functional>
-#include <initializer_list>
 #include <limits>
 #include <string>
 #include <vector>

@@ -24,7 +24,7 @@ Wrench push(const Vector3& force) {
 
 }  // namespace
 
-TEST_CASE("simulated WAM: at home its handle is level in the middle, and it stays there") {
+TEST_CASE("simulated WAM: level at home, says what it can do, and goes where the hand wants") {
     Bench bench;
     const double step_m = bench.wam->traits().position_resolution_m;
     CHECK(bench.reading.pose_D.position.norm() < 3.0 * step_m);
@@ -32,11 +32,8 @@ TEST_CASE("simulated WAM: at home its handle is level in the middle, and it stay
     bench.run(2000);
     CHECK(bench.wam->compute_pose_D().position.norm() < 1e-4);
     CHECK(bench.wam->compute_velocity_D().linear.norm() == 0.0);
-}
-
-TEST_CASE("simulated WAM: it says what it can do") {
-    Bench bench;
-    const DeviceTraits& traits = bench.wam->traits();
+    Bench other;
+    const DeviceTraits& traits = other.wam->traits();
     CHECK(traits.renders_force);
     CHECK(traits.name == "simulated WAM");
     CHECK(traits.max_force_N > 10.0);
@@ -44,16 +41,13 @@ TEST_CASE("simulated WAM: it says what it can do") {
     CHECK(traits.position_resolution_m > 0.0);
     CHECK(traits.damping_Ns_per_m > 0.0);
     CHECK(traits.mass_kg > 0.2);
-}
-
-TEST_CASE("simulated WAM: the hand takes the handle where it wants, turned as it wants") {
-    Bench bench(make_smooth());
+    Bench third(make_smooth());
     const Vector3 place(0.06, -0.05, 0.08);
     const Vector3 turn(0.2, -0.3, 0.25);
-    bench.aim(place, turn);
-    bench.run(kUntilRest);
-    CHECK((bench.reading.pose_D.position - place).norm() < 1e-4);
-    CHECK(compute_log(bench.reading.pose_D.orientation * compute_exp(turn).conjugate()).norm() <
+    third.aim(place, turn);
+    third.run(kUntilRest);
+    CHECK((third.reading.pose_D.position - place).norm() < 1e-4);
+    CHECK(compute_log(third.reading.pose_D.orientation * compute_exp(turn).conjugate()).norm() <
           1e-3);
 }
 
@@ -75,23 +69,21 @@ TEST_CASE("simulated WAM: +Z is away from the base, +Y up, and so are the forces
           1e-4);
 }
 
-TEST_CASE("simulated WAM: a torque turns the handle against the hand's turning spring") {
+TEST_CASE(
+    "simulated WAM: a torque turns the handle on the hand's spring, friction hides a small force") {
     Bench bench(make_smooth());
     REQUIRE(bench.wam->write(0.0, {Vector3::Zero(), Vector3(0.0, 0.3, 0.0)}));
     bench.run(kUntilRest);
     CHECK((compute_log(bench.wam->compute_pose_D().orientation) - Vector3(0.0, 0.1, 0.0)).norm() <
           1e-4);
-}
-
-TEST_CASE("simulated WAM: dry friction hides a small force from the hand") {
-    Bench bench;
-    REQUIRE(bench.wam->write(0.0, push({0.0, 0.1, 0.0})));
-    bench.run(1000);
-    CHECK(bench.wam->compute_pose_D().position.norm() < 1e-4);
-    CHECK(bench.wam->state().speed_rad_per_s.norm() == 0.0);
-    REQUIRE(bench.wam->write(bench.now_s, push({0.0, 8.0, 0.0})));
-    bench.run(1000);
-    CHECK(bench.wam->compute_pose_D().position.y() > 0.01);
+    Bench other;
+    REQUIRE(other.wam->write(0.0, push({0.0, 0.1, 0.0})));
+    other.run(1000);
+    CHECK(other.wam->compute_pose_D().position.norm() < 1e-4);
+    CHECK(other.wam->state().speed_rad_per_s.norm() == 0.0);
+    REQUIRE(other.wam->write(other.now_s, push({0.0, 8.0, 0.0})));
+    other.run(1000);
+    CHECK(other.wam->compute_pose_D().position.y() > 0.01);
 }
 
 TEST_CASE("simulated WAM: what its traits promise it gives everywhere in its workspace") {
@@ -215,7 +207,7 @@ TEST_CASE(
     CHECK(bench.wam->state().speed_rad_per_s.cwiseAbs().maxCoeff() < 0.01);
 }
 
-TEST_CASE("simulated WAM: the elbow comes home while the hand holds the handle still") {
+TEST_CASE("simulated WAM: the elbow comes home under a still handle; let go it floats") {
     SimulatedWamSettings settings = make_smooth();
     settings.grip.push.stiffness_N_per_m = 5000.0;
     settings.grip.turn_stiffness_Nm_per_rad = 50.0;
@@ -230,21 +222,18 @@ TEST_CASE("simulated WAM: the elbow comes home while the hand holds the handle s
     bench.aim(Vector3::Zero());
     bench.run(6000);
     CHECK((bench.wam->state().angle_rad - make_wam_home()).cwiseAbs().maxCoeff() < 1e-3);
-}
-
-TEST_CASE("simulated WAM: let go it floats where it is") {
-    Bench bench;
-    bench.aim({0.05, 0.05, 0.0});
-    bench.run(2000);
-    bench.wam->take_hold(kNoGrip);
-    bench.run(500);
-    const Vector3 left = bench.wam->compute_pose_D().position;
-    bench.run(2000);
-    CHECK((bench.wam->compute_pose_D().position - left).norm() < 0.005);
-    bench.wam->take_hold(HandGrip{});
-    bench.aim(Vector3::Zero());
-    bench.run(3000);
-    CHECK(bench.wam->compute_pose_D().position.norm() < 0.02);
+    Bench bench_again;
+    bench_again.aim({0.05, 0.05, 0.0});
+    bench_again.run(2000);
+    bench_again.wam->take_hold(kNoGrip);
+    bench_again.run(500);
+    const Vector3 left = bench_again.wam->compute_pose_D().position;
+    bench_again.run(2000);
+    CHECK((bench_again.wam->compute_pose_D().position - left).norm() < 0.005);
+    bench_again.wam->take_hold(HandGrip{});
+    bench_again.aim(Vector3::Zero());
+    bench_again.run(3000);
+    CHECK(bench_again.wam->compute_pose_D().position.norm() < 0.02);
 }
 
 TEST_CASE("simulated WAM: the reading goes in whole counts of the motors") {

@@ -142,7 +142,7 @@ TEST_CASE("watched device: a sensor that jumps, and one that shakes, fade the fo
     CHECK(shaken.noticed_s < 0.02);
 }
 
-TEST_CASE("watched device: what may stand still for ever does, whatever force there is") {
+TEST_CASE("watched device: what may stand still, at an end or without a motor, does") {
     // Nothing is known of it, as of a mouse or a SpaceMouse.
     Bench unknown(SensorWatch{});
     unknown.hold();
@@ -155,9 +155,6 @@ TEST_CASE("watched device: what may stand still for ever does, whatever force th
         SensorWatch{}, std::make_unique<PointerDevice>(PointerSettings{}, target)));
     const Course rest = mouse.run(stays, lets_go, 10'000);
     CHECK(rest.faults == Fault::none);
-}
-
-TEST_CASE("watched device: at the end of its way, and along an axis without a motor, it may stay") {
     SensorWatch at_stop{kMotors};
     at_stop.stop_D = {kThere.x(), 0.15, 0.15};
     Bench stopped(at_stop);

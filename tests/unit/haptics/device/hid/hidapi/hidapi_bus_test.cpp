@@ -10,14 +10,12 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 
 using namespace fulcrum;
 using namespace fulcrum::hid;

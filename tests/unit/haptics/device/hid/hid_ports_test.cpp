@@ -1,6 +1,6 @@
-#include "haptics/device/hid/hid_port.h"
-
 #include "haptics/base/clock.h"
+#include "haptics/device/hid/hid_ability.h"
+#include "haptics/device/hid/hid_port.h"
 #include "tests/support/eventually.h"
 #include "tests/support/virtual_hid.h"
 
@@ -17,6 +17,25 @@ using namespace fulcrum::hid;
 using namespace fulcrum::test_support;
 
 namespace {
+
+HidNode space_mouse(const std::string& path) {
+    return make_hid_node(path, space_mouse_descriptor(false), 0x046d, 0xc626, "SpaceNavigator");
+}
+HidNode force_stick(const std::string& path) {
+    return make_hid_node(path, force_stick_descriptor({}), 0x1234, 0xbeef, "Force stick");
+}
+HidNode plain_stick(const std::string& path) {
+    return make_hid_node(path, plain_stick_descriptor(), 1, 2, "Stick");
+}
+HidNode keyboard(const std::string& path) {
+    DescriptorBuilder d;
+    d.page(1).usage(6).open(1).page(7).usages(0, 255).logical(0, 255).fields(8, 6).input(0);
+    return make_hid_node(path, d.close().bytes(), 3, 4, "Keyboard");
+}
+
+void plug(MemoryBus& bus, const HidNode& node) {
+    bus.plug(node, std::make_shared<QuietHid>());
+}
 
 struct Rig {
     explicit Rig(bool with_force) {
@@ -65,6 +84,102 @@ struct Rig {
 
 }  // namespace
 
+TEST_CASE("HID ability: what each kind can do") {
+    const HidAbility cap = find_ability(space_mouse("a"));
+    CHECK(cap.form == HandForm::space_mouse);
+    CHECK(cap.n_axes == 6);
+    CHECK(cap.n_buttons == 2);
+    CHECK(cap.n_force_axes == 0);
+    CHECK(cap.full_cap == 350.0);
+    CHECK(cap.missing.empty());
+
+    const HidAbility force = find_ability(force_stick("a"));
+    CHECK(force.form == HandForm::stick);
+    CHECK(force.n_axes == 3);
+    CHECK(force.n_buttons == 8);
+    CHECK(force.n_force_axes == 2);
+    CHECK(force.force);
+
+    const HidAbility plain = find_ability(plain_stick("a"));
+    CHECK(plain.form == HandForm::stick);
+    CHECK(plain.n_force_axes == 0);
+    CHECK(plain.missing.empty());
+
+    CHECK(find_ability(keyboard("a")).form == HandForm::none);
+    CHECK(find_ability(keyboard("a")).missing.empty());
+}
+
+TEST_CASE("HID ability: interfaces that are none, forces and descriptors of no use are told of") {
+    HidNode other = keyboard("a");
+    other.vendor = 0x256f;
+    other.product = 0xc652;
+    CHECK(find_ability(other).form == HandForm::none);
+    // A multi-axis controller of an unknown maker may mean anything by its numbers.
+    HidNode unknown = space_mouse("a");
+    unknown.vendor = 0x9999;
+    CHECK(find_ability(unknown).form == HandForm::none);
+    Bytes broken = force_stick_descriptor({});
+    for (std::size_t i = 0; i + 1 < broken.size(); ++i) {
+        if (broken[i] == 0x09 && broken[i + 1] == 0x50) {
+            broken[i + 1] = 0xEE;
+        }
+    }
+    const HidAbility ability = find_ability(make_hid_node("a", broken, 1, 2, "Stick"));
+    CHECK(ability.form == HandForm::stick);
+    CHECK(ability.n_force_axes == 0);
+    CHECK(ability.missing.find("its force cannot be used") == 0);
+    const HidAbility wrong = find_ability(make_hid_node("a", {0xC0}, 1, 2, "Broken"));
+    CHECK(wrong.form == HandForm::none);
+    CHECK(wrong.missing.find("byte 0: the report descriptor is wrong") == 0);
+    const HidAbility hidden = find_ability(make_hid_node("a", {}, 1, 2, "Hidden"));
+    CHECK(hidden.missing == "its report descriptor cannot be read");
+    // What is known by its numbers is known all the same.
+    CHECK(find_ability(make_hid_node("a", {}, 0x046d, 0xc626, "")).form == HandForm::space_mouse);
+}
+
+TEST_CASE("HID ability: the best that may be opened is chosen") {
+    MemoryBus bus;
+    plug(bus, keyboard("/dev/hidraw0"));
+    const auto none = choose_hand(bus, "");
+    REQUIRE_FALSE(none);
+    CHECK(to_sentence(none.error()) ==
+          "no SpaceMouse and no joystick is plugged in; plug one in; fulcrum devices lists what "
+          "is there.");
+    plug(bus, plain_stick("/dev/hidraw1"));
+    CHECK(choose_hand(bus, "")->path == "/dev/hidraw1");
+    plug(bus, space_mouse("/dev/hidraw2"));
+    CHECK(choose_hand(bus, "")->path == "/dev/hidraw2");
+    plug(bus, force_stick("/dev/hidraw3"));
+    CHECK(choose_hand(bus, "")->path == "/dev/hidraw3");
+    CHECK(choose_hand(bus, "/dev/hidraw1")->path == "/dev/hidraw1");
+    CHECK_FALSE(choose_hand(bus, "/dev/hidraw9"));
+    const auto keys = choose_hand(bus, "/dev/hidraw0");
+    REQUIRE_FALSE(keys);
+    CHECK(to_sentence(keys.error()) ==
+          "/dev/hidraw0: Keyboard is no hand; fulcrum devices lists what can be used.");
+}
+
+TEST_CASE("HID ability: without permission the rule is named, without a name the numbers are") {
+    MemoryBus bus;
+    HidNode closed = space_mouse("/dev/hidraw4");
+    closed.may_open = false;
+    plug(bus, closed);
+    for (const char* const path : {"", "/dev/hidraw4"}) {
+        const auto refused = choose_hand(bus, path);
+        REQUIRE_FALSE(refused);
+        CHECK(to_sentence(refused.error()) ==
+              "/dev/hidraw4: SpaceNavigator is there, but this user may not open it; add the line "
+              "KERNEL==\"hidraw*\", KERNELS==\"*:046D:C626.*\", "
+              "TAG+=\"uaccess\" to /etc/udev/rules.d/70-fulcrum.rules, then unplug it and plug it "
+              "in again.");
+    }
+    // What may be opened goes before what is better and may not.
+    plug(bus, plain_stick("/dev/hidraw5"));
+    CHECK(choose_hand(bus, "")->path == "/dev/hidraw5");
+    CHECK(call(make_hid_node("a", {}, 0x46d, 0xc626, "")) == "the device 046d:c626");
+    CHECK(call(make_hid_node("a", {}, 1, 2, "Stick")) == "Stick");
+}
+
 TEST_CASE("HID port: reports arrive, and the device is known to be there though it says nothing") {
     Rig rig(false);
     rig.start();
@@ -77,7 +192,7 @@ TEST_CASE("HID port: reports arrive, and the device is known to be there though 
     CHECK(rig.newest().reported_s < rig.newest().stamp_s);
 }
 
-TEST_CASE("HID port: garbage is counted and changes nothing") {
+TEST_CASE("HID port: garbage changes nothing, a force is felt, fades when old, and ends") {
     Rig rig(false);
     rig.start();
     rig.bus->report(rig.node.path, cap_report(1, {70, 0, 0}));
@@ -88,10 +203,7 @@ TEST_CASE("HID port: garbage is counted and changes nothing") {
     CHECK(rig.newest().cap.push_D == Vector3(0.2, 0.0, 0.0));
     CHECK(rig.newest().is_there);
     CHECK(rig.port->counts().reports == 1);
-}
-
-TEST_CASE("HID port: a force is felt, one that grows old fades, and nothing is left at the end") {
-    Rig rig(true);
+    rig = Rig(true);
     rig.start();
     CHECK(rig.felt_while_pushed(0.5, [](double felt) { return felt > 0.49; }));
     // Nobody speaks any more, as when the haptic loop hangs.
@@ -173,7 +285,7 @@ TEST_CASE(
     CHECK_FALSE(rig.newest().repeats_itself);
 }
 
-TEST_CASE("HID port: another of the same kind, with another serial number, is not taken for it") {
+TEST_CASE("HID port: neither another of the kind nor one with other reports is taken for it") {
     Rig rig(true);
     rig.node.serial = "one";
     rig.plug(rig.node.path, true);
@@ -189,14 +301,11 @@ TEST_CASE("HID port: another of the same kind, with another serial number, is no
     rig.plug("/dev/hidraw11", true);
     CHECK(eventually([&] { return rig.newest().is_there && rig.port->takes_force(); }));
     CHECK(rig.bus->links("/dev/hidraw11") == 2);
-}
-
-TEST_CASE("HID port: one that comes back with other reports is not taken") {
-    Rig rig(true);
+    rig = Rig(true);
     rig.start();
     rig.bus->unplug(rig.node.path);
     CHECK(eventually([&] { return rig.port->counts().losses == 1; }));
-    HidNode other = rig.node;
+    other = rig.node;
     other.descriptor = force_stick_descriptor({.first_report = 9});
     rig.bus->plug(other, rig.stick);
     CHECK(eventually([&] {
