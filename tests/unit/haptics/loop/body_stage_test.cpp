@@ -105,7 +105,7 @@ void grip_and_turn(StagedBody& body, GrippingHand& hand) {
 
 }  // namespace
 
-TEST_CASE("body stage: a body is where its newest frame says, moved on by its velocity") {
+TEST_CASE("body stage: a body goes and turns on by its velocity, half as fast in half the time") {
     StagedBody body;
     CHECK(body.felt(0.0).position.x() == 9.0);
     CHECK(body.stage.age_s(0.0) == kInfinity);
@@ -120,10 +120,7 @@ TEST_CASE("body stage: a body is where its newest frame says, moved on by its ve
     early.tell(11.0, Vector3::Zero(), Vector3::Zero());
     (void)early.felt(1.0);
     CHECK(early.stage.age_s(1.0) == Approx(10.0));
-}
-
-TEST_CASE("body stage: in a world that keeps half the time a body moves on half as fast") {
-    StagedBody body(make_body_plan(2U));
+    body = StagedBody(make_body_plan(2U));
     RigidFrame frame;
     frame.stamp_s = 1.0;
     frame.rate = 0.5;
@@ -144,11 +141,8 @@ TEST_CASE("body stage: in a world that keeps half the time a body moves on half 
         (void)body.felt(1.03);
         CHECK(body.stage.age_s(1.03) == Approx(0.03));
     }
-}
-
-TEST_CASE("body stage: it turns on as well") {
-    StagedBody body;
-    RigidFrame frame;
+    body = StagedBody();
+    frame = RigidFrame();
     frame.stamp_s = 1.0;
     frame.solids[1] = {Pose{}, {Vector3::Zero(), {0.0, 3.0, 0.0}}, 0.0, true, 0};
     body.tell(frame);
@@ -278,16 +272,13 @@ TEST_CASE("body stage: the world hears how the hand took a body to be when it pu
     CHECK(told.pushes[0].n_placements == 3);
 }
 
-TEST_CASE("body stage: what has friction is held across by as much as it may bear") {
+TEST_CASE("body stage: friction holds by as much as it may; touch and grip together no more") {
     HapticPlan plan = make_body_plan();
     plan.solids[1].friction = {0.5, 0.4, 0.0};
     StagedBody body(plan);
     body.tell(1.0, Vector3::Zero(), Vector3::Zero());
     (void)body.felt(1.0);
     CHECK(body.push(3.0, 1.0).pushes[0].hold.bounds.friction_N == Approx(0.5 * 3.0));
-}
-
-TEST_CASE("body stage: touch and grip together give no more than the hand may feel") {
     CHECK(touch_and_grip(9.0)[0] == Approx(5.0));
     CHECK(touch_and_grip(9.0)[1] == Approx(3.0));
     CHECK(touch_and_grip(4.0)[0] == Approx(2.5));

@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -184,7 +183,7 @@ TEST_CASE("hands: a hand's own fault stays told while another holds a stop") {
     }
 }
 
-TEST_CASE("hands: a lesson that fails or is left fades all, and comes back to all") {
+TEST_CASE("hands: a lesson that fails fades all, and comes back; silence leaves no force") {
     TwoHands two;
     two.first.channels->lesson_failed.store(true);
     two.run(kFade);
@@ -196,12 +195,9 @@ TEST_CASE("hands: a lesson that fails or is left fades all, and comes back to al
     two.first.channels->ended.store(true);
     two.run(kFade);
     CHECK(two.are_silent());
-}
-
-TEST_CASE("hands: silence leaves every device without force") {
-    TwoHands two;
-    two.hands.silence(two.now_s);
-    CHECK(two.are_silent());
+    TwoHands other;
+    other.hands.silence(other.now_s);
+    CHECK(other.are_silent());
 }
 
 TEST_CASE("hands: that no force is left is told once all have faded, and not while one has") {

@@ -1,4 +1,3 @@
-// What fades the force, and what the loop lets nobody talk it out of.
 #include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/device_faults.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
@@ -29,7 +28,20 @@ void go(Bench& bench, double speed_m_per_s, int n) {
     }
 }
 
+// Holding 3 N, with a hand on the switch.
+struct StoppedBench : HoldingBench {
+    void press() { channels->emergency_stop.press(); }
+    void release() { channels->emergency_stop.release(); }
+    void rearm() { channels->rearm.store(true); }
+    GatePhase run_to_gate(int n) {
+        run(n);
+        return state().gate;
+    }
+};
+
 }  // namespace
+
+// What fades the force, and what the loop lets nobody talk it out of.
 
 TEST_CASE("haptic loop: a device that gives no pose, an old one or a broken one fades the force") {
     for (const DeviceFault& fault : kDeviceFaults) {
@@ -58,7 +70,7 @@ TEST_CASE("haptic loop: a device that gives no pose, an old one or a broken one 
     CHECK(bench.state().gate == GatePhase::fading);
 }
 
-TEST_CASE("haptic loop: before the first pose there is no force and no proxy at the origin") {
+TEST_CASE("haptic loop: no force before the first pose; a stamp that goes back begins anew") {
     HapticPlan plan = make_lonely_plan();
     plan.fields = {FieldPlan{FieldKind::spring, Vector3(0.0, 1.0, 0.0), 1000.0}};
     Bench bench(plan);
@@ -67,6 +79,15 @@ TEST_CASE("haptic loop: before the first pose there is no force and no proxy at 
     bench.run(100);
     CHECK(bench.state().commanded_W.force.norm() == 0.0);
     CHECK(bench.saw(Fault::device_read));
+    Bench other{HapticPlan{}};
+    go(other, 0.3, 100);
+    other.device.age_s = 0.010;
+    other.run(1);
+    CHECK(other.saw(Fault::device_invalid));
+    CHECK(other.state().tool_twist_W.linear.norm() == 0.0);
+    go(other, -0.2, 100);
+    CHECK(other.state().faults == Fault::none);
+    CHECK(other.state().tool_twist_W.linear.x() == Approx(-0.2));
 }
 
 TEST_CASE("haptic loop: one pose stamped in the future costs no damping afterwards") {
@@ -87,18 +108,6 @@ TEST_CASE("haptic loop: one pose stamped in the future costs no damping afterwar
     bench.device.age_s = -0.0009;
     bench.run(100);
     CHECK(bench.state().faults == Fault::none);
-}
-
-TEST_CASE("haptic loop: a stamp that goes back is a fault, and motion begins anew") {
-    Bench bench{HapticPlan{}};
-    go(bench, 0.3, 100);
-    bench.device.age_s = 0.010;
-    bench.run(1);
-    CHECK(bench.saw(Fault::device_invalid));
-    CHECK(bench.state().tool_twist_W.linear.norm() == 0.0);
-    go(bench, -0.2, 100);
-    CHECK(bench.state().faults == Fault::none);
-    CHECK(bench.state().tool_twist_W.linear.x() == Approx(-0.2));
 }
 
 TEST_CASE("haptic loop: a command or a world is stale from a second ahead, or if never heard of") {
@@ -132,7 +141,7 @@ TEST_CASE("haptic loop: a command or a world is stale from a second ahead, or if
     CHECK(lonely.state().faults == Fault::none);
 }
 
-TEST_CASE("haptic loop: an orientation nearly of length one becomes one, another is a fault") {
+TEST_CASE("haptic loop: which orientations are one, and how fast the fastest hand is") {
     Bench bench{HapticPlan{}};
     bench.device.pose_D.orientation.coeffs() *= 1.0009;
     bench.run(1);
@@ -141,26 +150,23 @@ TEST_CASE("haptic loop: an orientation nearly of length one becomes one, another
     bench.device.pose_D.orientation.coeffs() *= 1.002;
     bench.run(1);
     CHECK(bench.saw(Fault::device_invalid));
-}
-
-TEST_CASE("haptic loop: ten metres a second is the fastest hand, at five kilohertz too") {
     for (const double speed_m_per_s : {9.9, 10.1}) {
         for (const bool repeats_stamp : {false, true}) {
             HapticPlan plan = make_lonely_plan();
             plan.rate_hz = 5000.0;
-            Bench bench(plan);
-            bench.loop.step(1.0);
+            Bench fast(plan);
+            fast.loop.step(1.0);
             // A reading without a new stamp may have come a period later.
-            bench.device.pose_D.position.x() = speed_m_per_s * 0.0002;
+            fast.device.pose_D.position.x() = speed_m_per_s * 0.0002;
             constexpr double kPeriod_s = 1.0 / 8192.0;  // sums of it are exact
-            bench.device.age_s = repeats_stamp ? kPeriod_s : 0.0;
-            bench.loop.step(1.0 + kPeriod_s);
-            CHECK(bench.saw(Fault::device_invalid) == (speed_m_per_s > 10.0));
+            fast.device.age_s = repeats_stamp ? kPeriod_s : 0.0;
+            fast.loop.step(1.0 + kPeriod_s);
+            CHECK(fast.saw(Fault::device_invalid) == (speed_m_per_s > 10.0));
         }
     }
 }
 
-TEST_CASE("haptic loop: a clock that stands still is a fault, and the force goes all the same") {
+TEST_CASE("haptic loop: a clock that stands still or is no number is a fault") {
     for (const bool stopped : {false, true}) {
         HoldingBench bench;
         if (stopped) {
@@ -172,9 +178,6 @@ TEST_CASE("haptic loop: a clock that stands still is a fault, and the force goes
         }
         CHECK(bench.written_N().norm() == 0.0);
     }
-}
-
-TEST_CASE("haptic loop: a clock that is no number is a fault and is not published") {
     Bench bench(make_weight_plan());
     for (const double now_s : {kNan, kInfinity}) {
         const double before_s = bench.now_s;
@@ -290,4 +293,88 @@ TEST_CASE("haptic loop: energy given beyond what may be fades the force") {
     // What is forgotten meanwhile, and what the fade still gives.
     CHECK(given_J < 3.2);
     CHECK(given_J > 2.0);
+}
+
+// The emergency stop: how it is pressed, how it fades, and what alone lifts it.
+
+TEST_CASE("haptic loop: the emergency stop latches until it is lifted and rearmed") {
+    StoppedBench bench;
+    bench.press();
+    CHECK(bench.run_to_gate(1) == GatePhase::stopped);
+    bench.run(100);
+    CHECK(bench.written_N().norm() == 0.0);
+    bench.rearm();
+    CHECK(bench.run_to_gate(10) == GatePhase::stopped);
+    bench.channels->rearm.store(false);
+    bench.release();
+    CHECK(bench.run_to_gate(1000) == GatePhase::stopped);
+    // Silence does not lift it.
+    bench.loop.silence(bench.now_s);
+    CHECK(bench.run_to_gate(10) == GatePhase::stopped);
+    bench.rearm();
+    bench.world.carried_force_W.setZero();
+    CHECK(bench.run_to_gate(400) == GatePhase::rising);
+    CHECK_FALSE(bench.channels->rearm.load());
+}
+
+TEST_CASE("haptic loop: a stop that is pressed and released within one round still stops") {
+    StoppedBench bench;
+    bench.press();
+    bench.release();
+    CHECK(bench.run_to_gate(1) == GatePhase::stopped);
+    CHECK(bench.saw(Fault::emergency_stop));
+    CHECK(bench.run_to_gate(200) == GatePhase::stopped);
+    CHECK(bench.written_N().norm() == 0.0);
+    // It was one press, and its end is a rearm.
+    CHECK(bench.state().faults == Fault::none);
+    bench.rearm();
+    CHECK(bench.run_to_gate(1) == GatePhase::waiting);
+    // Lifted between the same two rounds it fades, and is lifted then.
+    StoppedBench lifted;
+    lifted.press();
+    lifted.release();
+    lifted.rearm();
+    CHECK(lifted.run_to_gate(1) == GatePhase::stopped);
+    CHECK(lifted.run_to_gate(90) == GatePhase::stopped);
+    CHECK(lifted.run_to_gate(20) != GatePhase::stopped);
+    CHECK(lifted.written_N().norm() == 0.0);
+    CHECK_FALSE(lifted.channels->rearm.load());
+}
+
+TEST_CASE("haptic loop: a rearm takes no force away, and undoes no stop that comes after it") {
+    StoppedBench bench;
+    bench.rearm();
+    CHECK(bench.run_to_gate(1) == GatePhase::open);
+    CHECK_FALSE(bench.channels->rearm.load());
+    CHECK(bench.written_N().y() == Approx(-3.0));
+    StoppedBench other;
+    other.channels->emergency_stop.tap();
+    other.run(5);
+    other.rearm();  // waits until the fade is over
+    other.run(5);
+    REQUIRE(other.written_N().norm() > 0.0);
+    other.channels->emergency_stop.tap();
+    other.world.carried_force_W.setZero();
+    CHECK(other.run_to_gate(1000) == GatePhase::stopped);
+    other.rearm();
+    CHECK(other.run_to_gate(10) != GatePhase::stopped);
+}
+
+TEST_CASE("haptic loop: a stop lifted in the middle of its fade still fades to its end") {
+    StoppedBench bench;
+    const double held_N = bench.written_N().norm();
+    bench.press();
+    bench.run(20);
+    bench.release();
+    bench.rearm();
+    double before_N = bench.written_N().norm();
+    REQUIRE(before_N > 0.5 * held_N);
+    for (int k = 0; k < 100; ++k) {
+        bench.run(1);
+        const double now_N = bench.written_N().norm();
+        REQUIRE(before_N - now_N <= 1.01 * held_N * 0.001 / 0.1);
+        REQUIRE(now_N <= before_N + 1e-12);
+        before_N = now_N;
+    }
+    CHECK(before_N == 0.0);
 }

@@ -62,7 +62,7 @@ TEST_CASE("push trial: with friction, steps and any usual hand it is felt, softl
     }
 }
 
-TEST_CASE("push trial: motors that push against what they are told, or across, are noticed") {
+TEST_CASE("push trial: wrong motors are noticed; a hand that goes back or far ends it at once") {
     Matrix3 mirrored = Matrix3::Identity();
     mirrored(0, 0) = -1.0;
     Bench one_axis(mirrored);
@@ -76,9 +76,6 @@ TEST_CASE("push trial: motors that push against what they are told, or across, a
     // Dead motors, or a clamped arm.
     Bench dead(Matrix3::Zero());
     CHECK(dead.try_way(Vector3::UnitX()) == PushVerdict::unfelt);
-}
-
-TEST_CASE("push trial: a hand that goes back, or far, ends the push at once and leaves no force") {
     // A free arm with its motors reversed runs away against the push.
     Bench reversed(-Matrix3::Identity(), arm_held_by({0.3, 2.0, 20.0}));
     const PushTrial back = reversed.push(Vector3::UnitX());
@@ -149,16 +146,13 @@ TEST_CASE("push trial: slow wandering falls out of two opposite pushes") {
     CHECK(judge(0.002, 0.0041) == PushVerdict::aside);
 }
 
-TEST_CASE("push trial: settings outside their range are refused, as a push of more than 3 N") {
+TEST_CASE("push trial: bad settings are refused; a push lost in friction is unfelt") {
     CHECK(validate(PushSettings{}));
     CHECK_FALSE(validate(PushSettings{.force_N = 3.01}));
     CHECK_FALSE(validate(PushSettings{.force_N = std::nan("")}));
     CHECK_FALSE(validate(PushSettings{.ramp_s = 0.1}));
     CHECK_FALSE(validate(PushSettings{.hold_s = 0.1}));
     CHECK_FALSE(validate(PushSettings{.settle_s = 60.0}));
-}
-
-TEST_CASE("push trial: a push that an arm's friction takes up is unfelt, however it is wired") {
     SimulatedArmSettings heavy = arm_held_by(kPosture);
     heavy.dry_friction_N = 2.0;
     for (const double sign : {1.0, -1.0}) {

@@ -1,4 +1,5 @@
-// The gate's laws one by one: for torques, at its bounds, in time.
+#include "haptics/loop/safety.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/loop/safety_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -10,14 +11,15 @@ using namespace fulcrum;
 
 namespace {
 
+constexpr double kTorquePerForce_m = 0.06;
+
 Wrench about_y(double torque_Nm) {
     return {Vector3::Zero(), Vector3(0, torque_Nm, 0)};
 }
 
-// The default settings' max_torque / max_force: the force law's units for a torque.
-constexpr double kTorquePerForce_m = 0.06;
-
 }  // namespace
+
+// The gate's laws one by one: for torques, at its bounds, in time.
 
 TEST_CASE("safety: a torque engages, rises, slews and fades by the force's laws times 0.06") {
     const SafetySettings settings;
@@ -64,7 +66,7 @@ TEST_CASE("safety: a device without torque engages whatever torque is commanded"
     CHECK(gate.phase() == GatePhase::rising);
 }
 
-TEST_CASE("safety: what counts for engagement is the commanded force, not what is left of it") {
+TEST_CASE("safety: engagement counts what is commanded, and a fault starts the count again") {
     SafetySettings settings;
     settings.max_force_N = 0.5;
     settings.engage_below_N = 1.0;
@@ -72,10 +74,7 @@ TEST_CASE("safety: what counts for engagement is the commanded force, not what i
     SafetyGate gate(settings);
     pass(gate, along_x(100.0), 1000);
     CHECK(gate.phase() == GatePhase::waiting);
-}
-
-TEST_CASE("safety: a fault starts the count of calm cycles again") {
-    SafetyGate gate{SafetySettings{}};
+    gate = SafetyGate{SafetySettings{}};
     pass(gate, along_x(0.0), 4);
     (void)gate.pass(along_x(0.0), Fault::device_read, kDt_s);
     for (int i = 0; i < 4; ++i) {
@@ -161,5 +160,53 @@ TEST_CASE("safety: what lies at a limit by rounding is given, not dropped, in ev
         }
         CHECK(least_N > 0.999 * limit_N);
         CHECK(least_Nm > 0.999 * settings.max_torque_Nm);
+    }
+}
+
+TEST_CASE("safety: settings outside their ranges are refused with the name and the range") {
+    CHECK(validate(SafetySettings{}));
+    SafetySettings strong;
+    strong.max_force_N = 10.1;
+    const auto refused = validate(strong);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("max_force_N is 10.1") != std::string::npos);
+    CHECK(to_sentence(refused.error()).find("0.5 to 10") != std::string::npos);
+    // The gate itself does not believe them either.
+    CHECK(SafetyGate(strong).max_force_N() == kHardForceCap_N);
+}
+
+TEST_CASE("safety: each setting is accepted at its bounds and refused just past them") {
+    struct Bound {
+        double SafetySettings::*field;
+        double low, high;
+    };
+    const Bound bounds[] = {{&SafetySettings::max_force_N, 0.5, 10.0},
+                            {&SafetySettings::max_torque_Nm, 0.0, 1.0},
+                            {&SafetySettings::max_slew_N_per_s, 10.0, 5000.0},
+                            {&SafetySettings::engage_below_N, 0.01, 1.0},
+                            {&SafetySettings::soft_start_N_per_s, 0.5, 50.0},
+                            {&SafetySettings::soft_start_s, 0.0, 10.0},
+                            {&SafetySettings::fade_s, 0.01, 0.5},
+                            {&SafetySettings::command_timeout_s, 0.02, 1.0},
+                            {&SafetySettings::device_timeout_s, 0.002, 0.1},
+                            {&SafetySettings::max_hand_speed_m_per_s, 0.1, 100.0}};
+    for (const Bound& bound : bounds) {
+        const auto accepts = [&](double value) {
+            SafetySettings settings;
+            settings.*bound.field = value;
+            return validate(settings).has_value();
+        };
+        CHECK(accepts(bound.low));
+        CHECK(accepts(bound.high));
+        CHECK_FALSE(accepts(bound.low - 1e-6));
+        CHECK_FALSE(accepts(bound.high + 1e-6));
+        for (const double bad : {kNan, -1.0, 1e9}) {
+            CHECK_FALSE(accepts(bad));
+        }
+    }
+    for (const int cycles : {0, 1, 1000, 1001}) {
+        SafetySettings settings;
+        settings.engage_cycles = cycles;
+        CHECK(validate(settings).has_value() == (cycles >= 1 && cycles <= 1000));
     }
 }

@@ -104,7 +104,7 @@ TEST_CASE("surface: the spectrum of the felt force is the relief's at strokes of
     }
 }
 
-TEST_CASE("surface: waves above half the loop's rate are removed, not folded") {
+TEST_CASE("surface: waves above half the loop's rate are removed, not folded, of any law") {
     for (const double share : {0.52, 0.7, 0.93, 1.04, 1.5, 2.3, 4.1}) {
         for (const double speed : {0.2, 0.5}) {
             INFO(share << " of the rate at " << speed << " m/s");
@@ -113,9 +113,6 @@ TEST_CASE("surface: waves above half the loop's rate are removed, not folded") {
             CHECK(strongest_other(forces, 1000.0, -1.0) < kFolded * kFelt_N);
         }
     }
-}
-
-TEST_CASE("surface: a law that makes waves of twice the frequency folds none of them") {
     // h grad h: half of the relief's waves is of twice their frequency, here 600 of 1000 Hz.
     HapticPlan plan = make_grooved_plan(0.2 / 300.0, 1000.0);
     plan.solids[0].surface.texture.law = TextureLaw::perturbed_normal;

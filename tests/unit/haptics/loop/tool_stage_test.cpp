@@ -63,7 +63,7 @@ TEST_CASE("tool stage: on a floor the tool stays outside, and the hand feels the
     }
 }
 
-TEST_CASE("tool stage: the torque about the grip is r x F, in the hand's metres") {
+TEST_CASE("tool stage: the torque about the grip is r x F; a hand that turns turns the tool") {
     for (const double scale : {1.0, 4.0}) {
         // Held 3 cm at its right: pressed down, the ball at the left pushes up.
         ToolBench bench(make_floor(Vector3(0.03, 0, 0), scale));
@@ -78,9 +78,6 @@ TEST_CASE("tool stage: the torque about the grip is r x F, in the hand's metres"
         CHECK(state.applied_W.torque.z() == Approx(expected.z()).epsilon(0.03));
         CHECK(state.applied_W.torque.z() < -0.005 / scale);
     }
-}
-
-TEST_CASE("tool stage: a hand that turns turns the tool") {
     ToolBench bench(make_floor());
     const Quaternion turned = compute_exp(Vector3(0.0, 0.0, 0.6));
     for (int i = 1; i <= 400; ++i) {

@@ -1,18 +1,20 @@
-#include "haptics/loop/realtime_thread.h"
-
 #include "haptics/base/clock.h"
 #include "haptics/base/flush_to_zero.h"
+#include "haptics/loop/beside_thread.h"
+#include "haptics/loop/latency_histogram.h"
+#include "haptics/loop/realtime_thread.h"
 #include "tests/support/bad_numbers.h"
+#include "tests/support/eventually.h"
 
 #include <catch2/catch.hpp>
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <stdexcept>
 #include <thread>
 
 using namespace fulcrum;
+using test_support::eventually;
 
 namespace {
 
@@ -36,23 +38,27 @@ struct CountingTask final : PeriodicTask {
     volatile double denormal = 4e-308;
 };
 
-// Waits for a condition that a thread will bring about, however slow the machine is.
-template <class Condition>
-void wait_for(Condition condition) {
-    while (!condition()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+// Work that is there every third time it is asked for.
+class EveryThird final : public BesideTask {
+  public:
+    bool run_once() noexcept override {
+        const int n = n_asked.fetch_add(1) + 1;
+        n_done += n % 3 == 0;
+        return n % 3 == 0;
     }
-}
+    std::atomic<int> n_asked{0};
+    std::atomic<std::uint64_t> n_done{0};
+};
 
 }  // namespace
 
-TEST_CASE("realtime thread: calls its task, keeps count, and silences it last") {
+TEST_CASE("realtime thread: it counts its rounds and silences last, after a throw as well") {
     CountingTask task;
     RealtimeThread thread;
     RealtimeSettings settings;
     settings.epoch_s = monotonic_now_s();
     REQUIRE(thread.start(task, settings));
-    wait_for([&] { return task.rounds.load() >= 50; });
+    REQUIRE(eventually([&] { return task.rounds.load() >= 50; }));
     CHECK(task.silenced.load() == 0);
     CHECK(thread.status().running);
     thread.stop();
@@ -73,18 +79,15 @@ TEST_CASE("realtime thread: calls its task, keeps count, and silences it last") 
 #endif
     thread.stop();
     CHECK(task.silenced.load() == 1);
-}
-
-TEST_CASE("realtime thread: a task that throws ends the thread, silenced") {
-    CountingTask task;
-    task.throw_at = 5;
-    RealtimeThread thread;
-    REQUIRE(thread.start(task, RealtimeSettings{}));
-    wait_for([&] { return task.silenced.load() == 1; });
-    thread.stop();
-    CHECK(task.rounds.load() == 5);
-    CHECK(thread.status().failed);
-    CHECK(thread.status().sentence.find("stopped by an error") != std::string::npos);
+    CountingTask thrower;
+    thrower.throw_at = 5;
+    RealtimeThread failing;
+    REQUIRE(failing.start(thrower, RealtimeSettings{}));
+    REQUIRE(eventually([&] { return thrower.silenced.load() == 1; }));
+    failing.stop();
+    CHECK(thrower.rounds.load() == 5);
+    CHECK(failing.status().failed);
+    CHECK(failing.status().sentence.find("stopped by an error") != std::string::npos);
 }
 
 TEST_CASE("realtime thread: rounds that take too long are skipped and counted, not made up") {
@@ -104,7 +107,7 @@ TEST_CASE("realtime thread: rounds that take too long are skipped and counted, n
     settings.epoch_s = task.epoch_s;
     settings.fifo_priority = 0;
     REQUIRE(thread.start(task, settings));
-    wait_for([&] { return task.rounds.load() >= 10; });
+    REQUIRE(eventually([&] { return task.rounds.load() >= 10; }));
     thread.stop();
     CHECK(thread.status().misses >= 30);
     CHECK(thread.duration().max_s() >= 0.0105);
@@ -119,19 +122,19 @@ TEST_CASE("realtime thread: a machine that slept, or a program that was stopped,
     RealtimeSettings settings;
     settings.slept_s = []() noexcept { return asleep_s.load(); };
     REQUIRE(thread.start(task, settings));
-    wait_for([&] { return task.rounds.load() >= 20; });
+    REQUIRE(eventually([&] { return task.rounds.load() >= 20; }));
     const std::uint64_t before =
         thread.status().pauses;  // of a test machine that itself stood still
     CHECK(static_cast<std::uint64_t>(task.silenced.load()) == before);
     // What is less than the clocks may differ is no sleep; half an hour is one, once.
     asleep_s = 100.0005;
     const int calm = task.rounds.load();
-    wait_for([&] { return task.rounds.load() >= calm + 20; });
+    REQUIRE(eventually([&] { return task.rounds.load() >= calm + 20; }));
     const std::uint64_t after = thread.status().pauses;
     asleep_s = 1900.0;
-    wait_for([&] { return thread.status().pauses > after; });
+    REQUIRE(eventually([&] { return thread.status().pauses > after; }));
     const int woken = task.rounds.load();
-    wait_for([&] { return task.rounds.load() >= woken + 20; });
+    REQUIRE(eventually([&] { return task.rounds.load() >= woken + 20; }));
     thread.stop();
     CHECK(thread.status().pauses >= after + 1);
     CHECK(static_cast<std::uint64_t>(task.silenced.load()) == thread.status().pauses + 1);
@@ -158,7 +161,7 @@ TEST_CASE("realtime thread: a program that stood still for long begins silent") 
     } task;
     RealtimeThread thread;
     REQUIRE(thread.start(task, RealtimeSettings{}));
-    wait_for([&] { return task.rounds.load() >= 30; });
+    REQUIRE(eventually([&] { return task.rounds.load() >= 30; }));
     CHECK(task.silenced_after.load() >= 10);
     CHECK(thread.status().pauses >= 1);
 }
@@ -182,5 +185,86 @@ TEST_CASE("realtime thread: bad settings and a second start are refused; after a
     thread.stop();
     REQUIRE(thread.start(task, settings));
     const int before = task.rounds.load();
-    wait_for([&] { return task.rounds.load() > before; });
+    REQUIRE(eventually([&] { return task.rounds.load() > before; }));
+}
+
+TEST_CASE("beside thread: twice a haptic round at most, and rounds with work are counted") {
+    CHECK(BesideThread::compute_looks_Hz(1000.0) == 2000.0);
+    CHECK(BesideThread::compute_looks_Hz(5000.0) == 10000.0);
+    CHECK(BesideThread::compute_looks_Hz(8000.0) == 10000.0);
+    EveryThird task;
+    BesideThread thread;
+    CHECK_FALSE(thread.status().running);
+    CHECK(thread.status().rate_Hz == 0.0);
+    const double began_s = monotonic_now_s();
+    REQUIRE(thread.start(task, 2000.0, began_s));
+    CHECK(thread.status().running);
+    REQUIRE(eventually([&] { return task.n_done.load() >= 20; }));
+    thread.stop();
+    const double took_s = monotonic_now_s() - began_s;
+    const BesideStatus status = thread.status();
+    CHECK_FALSE(status.running);
+    CHECK_FALSE(status.failed);
+    CHECK(status.rounds == task.n_done.load());
+    CHECK(task.n_asked.load() >= 3 * static_cast<int>(status.rounds));
+    // Over the time that it ran, which is no longer than ours and goes on no more.
+    CHECK(status.rate_Hz >= static_cast<double>(status.rounds) / took_s);
+    CHECK(thread.status().rate_Hz == status.rate_Hz);
+    CHECK(status.rate_Hz < 2000.0);
+    CHECK(status.median_s <= status.p99_s);
+    CHECK(status.p99_s <= status.most_s);
+}
+
+TEST_CASE("beside thread: a second start and a bad rate are refused, a new start counts on") {
+    EveryThird task;
+    BesideThread thread;
+    CHECK_FALSE(thread.start(task, 0.0, 0.0));
+    REQUIRE(thread.start(task, 1000.0, 0.0));
+    CHECK_FALSE(thread.start(task, 1000.0, 0.0));
+    REQUIRE(eventually([&] { return task.n_done.load() >= 2; }));
+    thread.stop();
+    const std::uint64_t rounds = thread.status().rounds;
+    REQUIRE(thread.start(task, 1000.0, 0.0));
+    REQUIRE(eventually([&] { return task.n_done.load() >= rounds + 2; }));
+    thread.stop();
+    CHECK(thread.status().rounds == task.n_done.load());
+    CHECK(thread.status().rounds >= rounds + 2);
+}
+
+TEST_CASE("latency: quantiles of known counts lie in the right bin, an eighth wide at most") {
+    LatencyHistogram histogram;
+    CHECK(histogram.compute_quantile_s(0.5) == 0.0);
+    for (int i = 1; i <= 1000; ++i) {
+        histogram.add(i * 1e-6);
+    }
+    CHECK(histogram.count() == 1000);
+    CHECK(histogram.max_s() == Approx(1000e-6).epsilon(1e-5));
+    for (const double share : {0.01, 0.5, 0.9, 0.99, 1.0}) {
+        const double quantile_s = histogram.compute_quantile_s(share);
+        CHECK(quantile_s >= share * 1000e-6 * (1.0 - 1e-5));
+        CHECK(quantile_s <= share * 1000e-6 * 1.126);
+        CHECK(quantile_s <= histogram.max_s());
+    }
+}
+
+TEST_CASE("latency: every nanosecond's bin contains it, borders too") {
+    for (std::uint64_t ns = 1; ns < 100000; ns += ns < 100 ? 1 : 97) {
+        LatencyHistogram histogram;
+        histogram.add(static_cast<double>(ns) * 1e-9 + 1e-13);
+        histogram.add(1.0);
+        const double quantile_s = histogram.compute_quantile_s(0.5);
+        REQUIRE(quantile_s >= static_cast<double>(ns) * 1e-9 * (1.0 - 1e-9));
+        REQUIRE(quantile_s <= static_cast<double>(ns) * 1e-9 * 1.1251 + 1e-12);
+    }
+}
+
+TEST_CASE("latency: times that are none count as zero, endless ones as very long") {
+    LatencyHistogram histogram;
+    histogram.add(-1.0);
+    histogram.add(kNan);
+    CHECK(histogram.max_s() == 0.0);
+    CHECK(histogram.compute_quantile_s(1.0) == 0.0);
+    histogram.add(kInfinity);
+    CHECK(histogram.count() == 3);
+    CHECK(histogram.max_s() > 1e9);
 }
