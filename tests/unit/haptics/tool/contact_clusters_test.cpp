@@ -44,7 +44,7 @@ bool covers(const ContactClusters& clusters, const NearContact& contact) {
 
 }  // namespace
 
-TEST_CASE("contact clusters: a single contact is its own cluster, exactly") {
+TEST_CASE("contact clusters: the mean of its contacts, by their depth; a single one exactly") {
     ContactClusters clusters(kPlain);
     const NearContact contact{{0.01, -0.02, 0.03}, Vector3(0.6, 0.8, 0.0), 0.0004};
     const Pose X_OT{{0.1, 0.2, 0.3}, compute_exp(Vector3(0.3, -0.2, 0.5))};
@@ -56,20 +56,16 @@ TEST_CASE("contact clusters: a single contact is its own cluster, exactly") {
     CHECK(one.depth_m == Approx(contact.depth_m).epsilon(kRounding));
     CHECK((one.place_O - (X_OT * contact.point_T + 0.0004 * contact.normal_O)).norm() < kRounding);
     CHECK(one.strength == 1.0);
-}
-
-TEST_CASE(
-    "contact clusters: a cluster is the mean of its contacts, each by how far it is in the layer") {
     // One deep, two just within: weights 2, 1 and 0.5 of a millimetre.
     const std::vector<NearContact> near{at(0.0, 0.0, 0.001), at(0.004, 0.0, 0.0),
                                         at(0.0, 0.004, -0.0005)};
-    ContactClusters clusters(kPlain);
+    clusters = ContactClusters(kPlain);
     clusters.update(near, {}, kDt_s);
     REQUIRE(clusters.all().size() == 1);
-    const ContactCluster& one = clusters.all().front();
-    CHECK(one.point_T.x() == Approx(0.004 / 3.5).epsilon(1e-9));
-    CHECK(one.point_T.z() == Approx(0.5 * 0.004 / 3.5).epsilon(1e-9));
-    CHECK(one.depth_m == Approx((2.0 * 0.001 - 0.5 * 0.0005) / 3.5).epsilon(1e-9));
+    const ContactCluster& mean = clusters.all().front();
+    CHECK(mean.point_T.x() == Approx(0.004 / 3.5).epsilon(1e-9));
+    CHECK(mean.point_T.z() == Approx(0.5 * 0.004 / 3.5).epsilon(1e-9));
+    CHECK(mean.depth_m == Approx((2.0 * 0.001 - 0.5 * 0.0005) / 3.5).epsilon(1e-9));
     // What has only just come near moves nothing.
     std::vector<NearContact> more = near;
     more.push_back(at(0.005, 0.005, -0.001));
@@ -230,14 +226,11 @@ TEST_CASE("contact clusters: a contact that passes from one to another moves nei
     CHECK(fine < 0.2 * coarse);
 }
 
-TEST_CASE("contact clusters: settings outside their ranges are refused") {
+TEST_CASE("contact clusters: bad settings are refused; what weighs nothing changes nothing") {
     test::check_refused(kPlain,
                         {[](auto& s) { s.within_m = 0.0; }, [](auto& s) { s.radius_m = -1.0; },
                          [](auto& s) { s.most = 0; }, [](auto& s) { s.most = kMostClusters + 1; },
                          [](auto& s) { s.fade_s = std::nan(""); }});
-}
-
-TEST_CASE("contact clusters: what weighs nothing or is no number changes nothing") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double endless = std::numeric_limits<double>::infinity();
     const std::vector<NearContact> bad{at(0.03, 0.0, -kPlain.within_m),

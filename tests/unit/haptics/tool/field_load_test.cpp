@@ -206,7 +206,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("field load: what a budget left out is told with the wrench") {
+TEST_CASE("field load: what a budget left out is told; what cannot be is refused") {
     Random random(6);
     Pointshell shell;
     for (int i = 0; i < 20000; ++i) {
@@ -234,9 +234,6 @@ TEST_CASE("field load: what a budget left out is told with the wrench") {
     REQUIRE(tool.touches().size() == 2);
     CHECK(tool.touches()[0].error_N > 0.0);
     CHECK(tool.touches()[1].error_N > 0.0);
-}
-
-TEST_CASE("field load: a plan without a field, and settings out of range, are refused") {
     CHECK_FALSE(FieldSampling::build({}));
     const auto tree =
         std::make_shared<const ShellTree>(ShellTree::build(make_inner_points(3)).value());

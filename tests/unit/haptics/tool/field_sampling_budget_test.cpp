@@ -308,7 +308,7 @@ TEST_CASE("field sampling budget: a cost thought far too high comes down by itse
     CHECK(n_never > 0);
 }
 
-TEST_CASE("field sampling budget: the bound holds for what is deeper than the band as well") {
+TEST_CASE("field sampling budget: the bound holds deeper than the band, and where pushes cancel") {
     const FieldSampler::Shell points = make_shell(make_sphere(0.2, 16).value(), 20000);
     for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
         FieldSampler all = make(box(), points, 0.0, along);
@@ -326,9 +326,6 @@ TEST_CASE("field sampling budget: the bound holds for what is deeper than the ba
             }
         }
     }
-}
-
-TEST_CASE("field sampling budget: where pushes cancel out, what may be missed does not") {
     // A slot that closes on a box from both sides.
     const double half_m = 0.5 - 0.3 * box()->frame().voxel_m;
     Pointshell slot = test::make_point_rows(160, 0.8, [&](int, int) { return half_m; });

@@ -110,7 +110,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("field sampling: only where the tool is to the object counts") {
+TEST_CASE("field sampling: only where the tool is counts, and long ways harm no memory") {
     FieldSampler still = make(SamplingMode::coherent);
     FieldSampler moving = make(SamplingMode::coherent);
     Random random(5);
@@ -122,9 +122,6 @@ TEST_CASE("field sampling: only where the tool is to the object counts") {
         CHECK((X_WO.orientation * a.wrench_W.force - b.wrench_W.force).norm() <
               1.0e-3 * (a.wrench_W.force.norm() + 1.0e-3));
     }
-}
-
-TEST_CASE("field sampling: long ways do not make the memory forget or remember too much") {
     FieldSampler tree = make(SamplingMode::tree);
     FieldSampler coherent = make(SamplingMode::coherent);
     // Many times round: the clock of motion starts anew several times.

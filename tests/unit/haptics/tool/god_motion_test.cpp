@@ -132,7 +132,7 @@ TEST_CASE("god motion: between floor and ceiling it glides, and they push no mor
     CHECK(n_between > 100);
 }
 
-TEST_CASE("god motion: near is what is within sixteen gaps, told where that is asked") {
+TEST_CASE("god motion: near is within sixteen gaps; what stopped nearer pushes no tool away") {
     const auto is_near = [](double height_m, bool asks) {
         GodMotion motion = make_motion();
         motion.place(at_height(height_m));
@@ -143,6 +143,17 @@ TEST_CASE("god motion: near is what is within sixteen gaps, told where that is a
     CHECK(is_near(10.0 * kGap_m, true));
     CHECK_FALSE(is_near(10.0 * kGap_m, false));
     CHECK_FALSE(is_near(30.0 * kGap_m, true));
+    GodObjectSettings settings = kSettings;
+    settings.most_rounds = 1;
+    GodMotion motion({make_block_plan()}, settings, nullptr);
+    motion.place(at_height(0.01));
+    REQUIRE(motion.move(at_height(-0.05), {&kBlock, 1}, false));
+    const auto set = tell(motion);
+    REQUIRE(set->n == 4);
+    CHECK(set->step.least_gap_m < 0.6 * kGap_m);
+    for (const GodPress& press : set->all()) {
+        CHECK(press.least_m == 0.0);
+    }
 }
 
 TEST_CASE("god motion: by goals it goes as by steps, to the bit, and its answers name them") {
@@ -230,20 +241,6 @@ TEST_CASE("god motion: of a cube that leans by less than a gap the lowest corner
         CHECK(press.arm_W.x() < 0.0);
     }
     CHECK(set->step.contacts == 4);
-}
-
-TEST_CASE("god motion: what stopped nearer than a gap is not told to push the tool away") {
-    GodObjectSettings settings = kSettings;
-    settings.most_rounds = 1;
-    GodMotion motion({make_block_plan()}, settings, nullptr);
-    motion.place(at_height(0.01));
-    REQUIRE(motion.move(at_height(-0.05), {&kBlock, 1}, false));
-    const auto set = tell(motion);
-    REQUIRE(set->n == 4);
-    CHECK(set->step.least_gap_m < 0.6 * kGap_m);
-    for (const GodPress& press : set->all()) {
-        CHECK(press.least_m == 0.0);
-    }
 }
 
 TEST_CASE("god motion: between walls less than a gap away on either side it goes along them") {

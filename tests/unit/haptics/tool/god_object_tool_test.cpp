@@ -212,7 +212,7 @@ TEST_CASE("god-object tool: out of time, at a round a step, it enters nothing an
           1.0e-3);
 }
 
-TEST_CASE("god-object tool: between steps a handle that is no number feels nothing") {
+TEST_CASE("god-object tool: a handle that is no number feels nothing; bad settings are refused") {
     GodObjectTool tool = make_tool(make_ground());
     tool.place(Pose::at({0.0, 0.03, 0.0}));
     (void)move_to(tool, Pose::at({0.0, 0.01, 0.0}), kBlended);
@@ -222,6 +222,18 @@ TEST_CASE("god-object tool: between steps a handle that is no number feels nothi
     // It goes on afterwards as if nothing had been.
     CHECK(move_to(tool, Pose::at({0.0, 0.01, 0.0})).felt_W.force.y() ==
           Approx(kStiffness * 0.010001));
+    const GodObjectSettings good = test::make_god_settings(kCube);
+    test::check_refused(
+        good, {[](auto& s) { s.gap_m = 0.0; }, [](auto& s) { s.gap_m = std::nan(""); },
+               [](auto& s) { s.gap_m = 0.99e-8; }, [](auto& s) { s.step_share = 0.0; },
+               [](auto& s) { s.step_share = 1.1; }, [](auto& s) { s.fade_s = -1.0; },
+               [](auto& s) { s.most_rounds = 0; }, [](auto& s) { s.budget_us = 0.5; },
+               [](auto& s) { s.budget_us = std::nan(""); }, [](auto& s) { s.most_contacts = 0; },
+               [](auto& s) { s.grip_T.x() = 11.0; }, [](auto& s) { s.handle_turn.w() = 2.0; },
+               [](auto& s) { s.inertia.mass_kg = 0.0; },
+               [](auto& s) { s.coupling.shift.stiffness_N_per_m = -1.0; }});
+    CHECK_FALSE(GodObjectTool::build({}, good).has_value());
+    CHECK_FALSE(GodObjectTool::build({{}}, good).has_value());
 }
 
 TEST_CASE("god-object tool: as far out as places are nothing crosses; beyond, nothing moves") {
@@ -273,21 +285,6 @@ TEST_CASE("god-object tool: it is free beside a block, not on it, in it or aroun
     large.place(Pose{});
     CHECK_FALSE(large.is_free({&object, 1}));
     CHECK_FALSE(large.is_free({}));
-}
-
-TEST_CASE("god-object tool: settings out of range and missing meshes are refused") {
-    const GodObjectSettings good = test::make_god_settings(kCube);
-    test::check_refused(
-        good, {[](auto& s) { s.gap_m = 0.0; }, [](auto& s) { s.gap_m = std::nan(""); },
-               [](auto& s) { s.gap_m = 0.99e-8; }, [](auto& s) { s.step_share = 0.0; },
-               [](auto& s) { s.step_share = 1.1; }, [](auto& s) { s.fade_s = -1.0; },
-               [](auto& s) { s.most_rounds = 0; }, [](auto& s) { s.budget_us = 0.5; },
-               [](auto& s) { s.budget_us = std::nan(""); }, [](auto& s) { s.most_contacts = 0; },
-               [](auto& s) { s.grip_T.x() = 11.0; }, [](auto& s) { s.handle_turn.w() = 2.0; },
-               [](auto& s) { s.inertia.mass_kg = 0.0; },
-               [](auto& s) { s.coupling.shift.stiffness_N_per_m = -1.0; }});
-    CHECK_FALSE(GodObjectTool::build({}, good).has_value());
-    CHECK_FALSE(GodObjectTool::build({{}}, good).has_value());
 }
 
 }  // namespace

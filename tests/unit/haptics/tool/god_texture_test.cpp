@@ -1,15 +1,21 @@
 #include "haptics/tool/god_texture.h"
 
 #include "haptics/math/rotation.h"
+#include "haptics/surface/triplanar.h"
 #include "tests/support/god_scene.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
-namespace fulcrum {
+using namespace fulcrum;
+
 namespace {
 
 using test::kGodDt_s;
@@ -20,6 +26,8 @@ constexpr double kGap_m = 1.0e-6;
 constexpr double kWave_m = 0.004;
 constexpr double kHeight_m = 2.0e-4;
 constexpr double kPi = std::numbers::pi;
+constexpr double kMost_N = 4.0;
+constexpr double kTile_m = 0.004;
 // A wave of 32 samples and its spline, over the wave's own slope; likewise over its height.
 constexpr double kOfSpline = 2.0e-3;
 TextureSettings make_grooves(TextureLaw law, double gain = 1.0, double height_m = kHeight_m,
@@ -42,8 +50,6 @@ struct Ground {
     TriangleMesh floor = test::make_ground(0.6);
     FrictionSettings friction{};
 };
-
-constexpr double kMost_N = 4.0;
 
 GodObjectTool make_tool(const TriangleMesh& tool, const TextureSettings* texture,
                         double fade_s = 0.0, const Ground& ground = {}) {
@@ -73,6 +79,22 @@ double height_at(double x) {
 double slope_at(double x) {
     return kPi * kHeight_m / kWave_m * std::cos(2.0 * kPi * x / kWave_m);
 }
+
+// Rows of heights, one after the other; turned they are columns.
+TextureSettings make_rows(const std::vector<float>& rows, int n_across, bool turned) {
+    HeightMap map;
+    map.n_u = turned ? static_cast<std::int32_t>(rows.size()) : n_across;
+    map.n_v = turned ? n_across : static_cast<std::int32_t>(rows.size());
+    for (std::int32_t j = 0; j < map.n_v; ++j) {
+        for (std::int32_t i = 0; i < map.n_u; ++i) {
+            map.heights.push_back(rows[static_cast<std::size_t>(turned ? i : j)]);
+        }
+    }
+    return {ImageTexture{std::make_shared<const HeightMap>(std::move(map)), kTile_m, kTile_m},
+            TextureLaw::lateral, 2.0e-4, 1.0};
+}
+
+}  // namespace
 
 TEST_CASE("god texture: a tip drawn over grooves feels each law in closed form") {
     const auto law =
@@ -286,7 +308,7 @@ TEST_CASE(
     CHECK(move_to(tool, Pose::at({0.01, 0.001, 0.1})).felt_W.force.isZero(0.0));
 }
 
-TEST_CASE("god texture: places and ways that are no numbers add nothing") {
+TEST_CASE("god texture: what is no number adds nothing; grooves are as steep as samples say") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto texture =
         std::make_shared<const Texture>(make_grooves(TextureLaw::perturbed_normal));
@@ -307,16 +329,55 @@ TEST_CASE("god texture: places and ways that are no numbers add nothing") {
     felt.add(Vector3::Zero(), Vector3::UnitY(), 1.0);
     CHECK(felt.finish(kGodDt_s).force.norm() > 0.005);
     CHECK(felt.bumps_J() == Approx(kStiffness * kHeight_m * kHeight_m));
-}
-
-TEST_CASE("god texture: how steep grooves are is seen by their samples") {
-    const Texture texture(make_grooves(TextureLaw::lateral));
-    const ReliefSteepness seen = find_steepness(texture.map());
+    const Texture lateral(make_grooves(TextureLaw::lateral));
+    const ReliefSteepness seen = find_steepness(lateral.map());
     const double slope = kPi * kHeight_m / kWave_m;
     CHECK(seen.slope >= slope * (1.0 - 1.0e-3));
     CHECK(seen.slope < 1.15 * slope);
     CHECK(seen.curvature_per_m == Approx(slope * 2.0 * kPi / kWave_m).epsilon(0.02));
 }
 
-}  // namespace
-}  // namespace fulcrum
+// How steep a relief may be is seen by its samples and half-way between them; felt it is cut at no less.
+
+TEST_CASE("god texture build: no place of a relief is steeper than is told") {
+    const auto rows =
+        GENERATE(std::vector<float>{0.0F, 1.0F}, std::vector<float>{0.0F, 0.0F, 1.0F, 1.0F},
+                 std::vector<float>{0.3F, 0.7F, 0.3F, 0.8F, 1.0F, 0.5F, 0.3F, 0.7F});
+    const int n_across = GENERATE(1, 4, 1024);
+    const bool turned = GENERATE(false, true);
+    const Texture texture(make_rows(rows, n_across, turned));
+    const ReliefSteepness told = find_steepness(texture.map());
+    constexpr int kFine = 4000;
+    double steepest = 0.0;
+    for (int i = 0; i < kFine; ++i) {
+        const double at_m = kTile_m * i / kFine;
+        const HeightSample here = texture.map().sample(0, turned ? at_m : 0.0, turned ? 0.0 : at_m);
+        steepest = std::max(steepest, std::hypot(here.slope_u, here.slope_v));
+    }
+    CAPTURE(rows.size(), n_across, turned);
+    CHECK(steepest > 0.01);
+    CHECK(told.slope >= steepest);
+    CHECK(told.slope < 2.0 * steepest);
+}
+
+TEST_CASE("god texture build: rows that go up and down in turn are felt as a point feels them") {
+    const auto rows =
+        GENERATE(std::vector<float>{0.0F, 1.0F}, std::vector<float>{0.0F, 0.0F, 1.0F, 1.0F});
+    const auto texture = std::make_shared<const Texture>(make_rows(rows, 64, false));
+    GodTexture felt(texture, {.stiffness_N_per_m = 500.0, .reach_m = 0.02, .fade_s = 0.0});
+    constexpr double kForce_N = 1.0;
+    double most_N = 0.0;
+    for (int i = 0; i < 200; ++i) {
+        const Vector3 place(0.001, 0.0, 1.0e-3 * kTile_m * i);
+        felt.begin({}, {}, kForce_N);
+        felt.add(place, Vector3::UnitY(), kForce_N);
+        const Vector3 force = felt.finish(0.001).force;
+        const double depth_m = kForce_N / 500.0;
+        const BodyOffset offset =
+            feel_on_body(*texture, place, Vector3::Zero(), Vector3::UnitY(), depth_m);
+        CAPTURE(rows.size(), i);
+        CHECK((force - 500.0 * offset.offset_B_m).norm() < 1.0e-12);
+        most_N = std::max(most_N, force.norm());
+    }
+    CHECK(most_N > 0.01);
+}

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 using namespace fulcrum;
@@ -114,8 +113,7 @@ TEST_CASE(
     CHECK(y_m - 0.015 < 0.001);
 }
 
-TEST_CASE(
-    "implicit penalty: stable at 5 kN/m, 500 N/m, 10 g, with contacts found 100 times a second") {
+TEST_CASE("implicit penalty: stable at 5 kN/m, 10 g, 100 looks a second; without a model not") {
     for (const PenaltyModel model : {PenaltyModel::planes, PenaltyModel::linearised}) {
         for (const double round_s : {0.0, 0.002, 0.005, 0.01}) {
             ImplicitPenaltyPlan plan = make_plan();
@@ -131,9 +129,6 @@ TEST_CASE(
             CHECK(course.deepest_m < 0.001);
         }
     }
-}
-
-TEST_CASE("implicit penalty: without a model of contact it is unstable, as the source says") {
     for (const double round_s : {0.002, 0.01}) {
         ImplicitPenaltyPlan plan = make_plan();
         plan.settings.contacts.model = PenaltyModel::held;

@@ -152,7 +152,7 @@ TEST_CASE("level contacts: jaws hold a bite, with a tolerance as without") {
     CHECK(std::sqrt(off_coarsest / felt) < 0.1);
 }
 
-TEST_CASE("level contacts: a short list gets an even share, and a full one is left as it is") {
+TEST_CASE("level contacts: lists get an even share; a tool needs levels made as far as it looks") {
     const auto bumpy = make_levels(make_bumpy_sphere(0.05, 16, 0.05, 100.0).value());
     auto finder = LevelContacts::create(bumpy, bumpy).value();
     const Pose X_OT = Pose::at({0.0, 0.099, 0.0});
@@ -170,10 +170,6 @@ TEST_CASE("level contacts: a short list gets an even share, and a full one is le
     CHECK(few.count() == n_before);
     CHECK(finder->answer().n_looked_at > 0);
     CHECK_FALSE(LevelContacts::create(nullptr, bumpy));
-}
-
-TEST_CASE(
-    "level contacts: an implicit tool among meshes needs levels made as far out as it looks") {
     const auto box = make_levels(make_box({0.04, 0.04, 0.04}).value());
     ImplicitPenaltyPlan plan;
     plan.meshes.push_back({box, box, {}});

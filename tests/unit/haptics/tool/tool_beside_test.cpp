@@ -191,9 +191,7 @@ TEST_CASE("penalty beside: rounds that keep pace give the forces of rounds in li
     });
 }
 
-TEST_CASE(
-    "god beside: a hundred sets a second shake nothing, nothing enters, and new contacts blend "
-    "in") {
+TEST_CASE("tools beside: a hundred sets a second shake nothing, and new contacts blend in") {
     const Passage sudden = pass(make_god(false, 0.0), 10);
     const Passage blended = pass(make_god(false, 0.05), 10);
     CAPTURE(sudden.most_step_N, blended.most_step_N, blended.lets_go_N);
@@ -207,9 +205,6 @@ TEST_CASE(
     // Off the block it is felt no longer, to the bit; that is the safety gate's to stretch.
     CHECK(blended.lets_go_N < 0.8);
     CHECK(in_pace.lets_go_N < 0.11);
-}
-
-TEST_CASE("penalty beside: a hundred rounds a second shake nothing, and no round is too late") {
     const Passage found = pass(make_penalty(true), 10);
     CHECK(found.most_age_s < 0.0115);
     // As far as one plane may rise in a step (contact_planes.h).

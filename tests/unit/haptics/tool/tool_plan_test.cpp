@@ -56,7 +56,7 @@ const FieldSamplingPlan& first_field(const ToolPlan& plan) {
 
 }  // namespace
 
-TEST_CASE("tool plan: the coupling pulls and turns with at most the force that may be felt") {
+TEST_CASE("tool plan: the coupling pulls as much as may be felt; no stiffness, half a round") {
     for (const ToolMethod method : kMethods) {
         ToolScene scene = make_ball_tool(method);
         scene.settings.coupling.shift.stiffness_N_per_m = 400.0;
@@ -86,9 +86,6 @@ TEST_CASE("tool plan: the coupling pulls and turns with at most the force that m
             CHECK(plan->penalty->clusters.within_m == Approx(4.0 * contacts.within_m));
         }
     }
-}
-
-TEST_CASE("tool plan: a turn that nothing stiff resists is clamped at half a round") {
     ToolScene scene = make_ball_tool();
     scene.settings.coupling.turn.stiffness_Nm_per_rad = 1.0e-4;
     const auto plan = make_tool_of(scene, {make_floor_box()});
@@ -127,7 +124,7 @@ TEST_CASE("tool plan: one point alone is not pressed through by the most that a 
     }
 }
 
-TEST_CASE("tool plan: large voxels are kept as a tree, small ones as a grid") {
+TEST_CASE("tool plan: large voxels are a tree, small ones a grid; what is no tool is refused") {
     ToolScene scene = make_ball_tool();
     CHECK(first_voxels(*make_tool_of(scene, {make_floor_box()})).grid != nullptr);
     scene.voxel_m = 0.001;
@@ -135,9 +132,6 @@ TEST_CASE("tool plan: large voxels are kept as a tree, small ones as a grid") {
     CHECK(first_voxels(*large).grid == nullptr);
     CHECK(first_voxels(*large).map != nullptr);
     CHECK(validate(*large));
-}
-
-TEST_CASE("tool plan: what cannot be a tool is refused") {
     for (const ToolMethod method : kMethods) {
         CAPTURE(static_cast<int>(method));
         check_refused(

@@ -8,7 +8,6 @@
 #include <catch2/catch.hpp>
 
 #include <random>
-#include <utility>
 
 using namespace fulcrum;
 using namespace fulcrum::test;
@@ -84,8 +83,7 @@ TEST_CASE(
           Approx(-100.0 * 0.003).epsilon(kExact));
 }
 
-TEST_CASE(
-    "voxel sampling: free, near, touching and inside are told apart, and only touching pushes") {
+TEST_CASE("voxel sampling: free, near, touching and inside; nothing far out or at no number") {
     const VoxelSampling sampling =
         make_sampling(one_point(Vector3::Zero(), Vector3::UnitY()), plain());
     const auto deepest = [&](double y) {
@@ -97,24 +95,20 @@ TEST_CASE(
     CHECK(deepest(0.009) == VoxelClass::proximity);
     CHECK(deepest(-0.007) == VoxelClass::surface);
     CHECK(deepest(-0.011) == VoxelClass::interior);
-}
-
-TEST_CASE(
-    "voxel sampling: nothing is felt far outside, on no side, nor at a place that is no number") {
-    const VoxelSampling sampling = make_sampling(
+    const VoxelSampling of_block = make_sampling(
         make_surface_pointshell(make_box({0.02, 0.02, 0.02}).value(), 100).value(), plain());
     for (const double far_m : {0.2, 1.0, 1.0e6, 1.0e300, HUGE_VAL}) {
         for (int axis = 0; axis < 3; ++axis) {
             for (const double sign : {-1.0, 1.0}) {
                 Vector3 place = Vector3::Constant(0.003);
                 place[axis] = sign * far_m;
-                const VoxelContact contact = sampling.sample(at(place, {0.1, 0.2, 0.3}), kStill);
+                const VoxelContact contact = of_block.sample(at(place, {0.1, 0.2, 0.3}), kStill);
                 CHECK(is_zero(contact.wrench_W));
                 CHECK(contact.deepest() == VoxelClass::free);
             }
         }
     }
-    const VoxelContact nowhere = sampling.sample(at(Vector3::Constant(std::nan(""))), kStill);
+    const VoxelContact nowhere = of_block.sample(at(Vector3::Constant(std::nan(""))), kStill);
     CHECK(is_zero(nowhere.wrench_W));
     CHECK(nowhere.deepest() == VoxelClass::free);
 }
@@ -334,7 +328,7 @@ TEST_CASE(
     CHECK(there.n_surface == here.n_surface);
 }
 
-TEST_CASE("voxel sampling: the slowest motion is braked by nothing rather than by no number") {
+TEST_CASE("voxel sampling: the slowest motion is braked by nothing; bad plans are refused") {
     for (const PreContactBraking braking :
          {PreContactBraking::viscous, PreContactBraking::one_cycle}) {
         VoxelSamplingSettings settings = plain();
@@ -354,9 +348,6 @@ TEST_CASE("voxel sampling: the slowest motion is braked by nothing rather than b
             CHECK(jacobian.velocity.allFinite());
         }
     }
-}
-
-TEST_CASE("voxel sampling: what cannot be sampled is refused") {
     const Pointshell shell = one_point(Vector3::Zero(), Vector3::UnitY());
     CHECK_FALSE(VoxelSampling::build({nullptr, nullptr, shell, plain()}));
     CHECK_FALSE(VoxelSampling::build({make_floor(), nullptr, {}, plain()}));

@@ -1,9 +1,10 @@
-// A tool with flat ends among voxels, as a plan makes it (tool_plan.h): it lies flat where it is pressed, and glides without drag.
 #include "haptics/dynamics/rigid_state.h"
+#include "haptics/geometry/mesh_report.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/tool_plan.h"
 #include "haptics/voxel/voxelise.h"
+#include "tests/support/gear.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,6 +15,8 @@
 using namespace fulcrum;
 
 namespace {
+
+constexpr double kPi = 3.141592653589793;
 
 constexpr double kDt_s = 1.0e-3;
 constexpr double kStiffness_N_per_m = 500.0;
@@ -49,6 +52,8 @@ VoxelTool make_stick(const Stick& stick, ToolMass mass) {
 }
 
 }  // namespace
+
+// A tool with flat ends among voxels, as a plan makes it (tool_plan.h): it lies flat where it is pressed, and glides without drag.
 
 TEST_CASE("flat tool: pressed a degree askew it lies flat and is pushed straight up") {
     // A point a voxel; points anywhere on the surface, as near to each other, make such a tool fall over.
@@ -99,4 +104,29 @@ TEST_CASE("flat tool: gliding over a floor that it does not touch it feels nothi
         INFO(speed_m_per_s);
         CHECK(most_N < 0.01);
     }
+}
+
+// The bodies that tools are tried on are closed and of the size they say.
+
+TEST_CASE("gear, peg and bush: closed, their triangles and volumes as told, and the peg fits") {
+    const GearSettings settings;
+    const auto gear = make_gear(settings).value();
+    const MeshReport report = compute_mesh_report(gear);
+    CHECK(report.is_sound());
+    CHECK(report.n_triangles == 32 * settings.n_teeth);
+    CHECK(report.size_m.z() == Approx(settings.width_m));
+    // Between the rings of root and tip, less the bore.
+    const auto ring_m3 = [&](double radius_m) {
+        return kPi * settings.width_m * (radius_m * radius_m - settings.bore_m * settings.bore_m);
+    };
+    CHECK(report.volume_m3 > 0.9 * ring_m3(settings.root_m));
+    CHECK(report.volume_m3 < ring_m3(settings.tip_m));
+    const MeshReport peg = compute_mesh_report(make_peg(0.01, 0.06, 72).value());
+    const MeshReport bush = compute_mesh_report(make_bush(0.02, 0.0105, 0.03, 35).value());
+    CHECK(peg.is_sound());
+    CHECK(bush.is_sound());
+    CHECK(peg.n_triangles == 288);
+    CHECK(bush.n_triangles == 280);
+    CHECK(peg.volume_m3 == Approx(kPi * 0.0001 * 0.06).epsilon(0.002));
+    CHECK(bush.volume_m3 == Approx(kPi * (0.0004 - 0.0105 * 0.0105) * 0.03).epsilon(0.01));
 }

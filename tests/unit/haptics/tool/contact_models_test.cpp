@@ -1,18 +1,33 @@
-#include "haptics/tool/contact_taylor.h"
-
 #include "haptics/math/rotation.h"
+#include "haptics/tool/contact_age.h"
+#include "haptics/tool/contact_taylor.h"
+#include "haptics/tool/implicit_penalty.h"
 #include "tests/support/adding_load.h"
 #include "tests/support/differentiated_loads.h"
+#include "tests/support/field_parts.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
+
+constexpr double kDt_s = 0.001;
+
+// Steps from `from_s` to `to_s` after which nothing newer than `told_s` has come.
+void wait(ContactAge& age, double from_s, double to_s, double told_s) {
+    const int n = static_cast<int>(std::lround((to_s - from_s) / kDt_s));
+    for (int i = 0; i < n; ++i) {
+        age.step(from_s + i * kDt_s, told_s, kDt_s);
+    }
+}
 
 ContactPlanesSettings settings_of(PenaltyModel kind) {
     return {.model = kind, .stiffness_N_per_m = 5000.0, .damping_Ns_per_m = 8.0, .within_m = 0.001};
@@ -77,6 +92,62 @@ Wrench find_exact(const ContactModel& model, const MovingFrame& object, const Ri
 
 }  // namespace
 
+TEST_CASE("contact age: told in time it is felt whole, then it fades and comes back evenly") {
+    ContactAge age({.hold_s = 0.1, .fade_s = 0.05});
+    for (int i = 0; i < 1000; ++i) {
+        age.step(i * kDt_s, i * kDt_s - 0.004, kDt_s);
+        REQUIRE(age.share() == 1.0);
+        REQUIRE_FALSE(age.is_late());
+    }
+    CHECK(age.age_s() == Approx(0.004));
+    // Silent from 0.995 s on: nothing changes for a tenth of a second.
+    wait(age, 1.0, 1.095, 0.995);
+    CHECK(age.share() == 1.0);
+    CHECK(age.age_s() == Approx(0.099));
+    age = ContactAge({.hold_s = 0.1, .fade_s = 0.05});
+    age.step(0.0, 0.0, kDt_s);
+    double before = 1.0;
+    for (int i = 1; i <= 400; ++i) {
+        const double t_s = i * kDt_s;
+        const double told_s = t_s < 0.2 ? 0.0 : t_s - 0.001;
+        age.step(t_s, told_s, kDt_s);
+        // In closed form, but for the step in which it was noticed.
+        const double expected = t_s < 0.2 ? std::clamp(1.0 - (t_s - 0.1) / 0.05, 0.0, 1.0)
+                                          : std::clamp((t_s - 0.199) / 0.05, 0.0, 1.0);
+        REQUIRE(std::abs(age.share() - expected) < 1.001 * kDt_s / 0.05);
+        REQUIRE(std::abs(age.share() - before) < 1.001 * kDt_s / 0.05);
+        REQUIRE(age.is_late() == (t_s > 0.1 + 1e-12 && t_s < 0.2));
+        if (t_s > 0.151 && t_s < 0.2) {
+            REQUIRE(age.is_lost());
+        }
+        before = age.share();
+    }
+    CHECK(age.share() == 1.0);
+}
+
+TEST_CASE("contact age: no answer, one from the future, no number and bad settings") {
+    ContactAge age({.hold_s = 0.1, .fade_s = 0.1});
+    wait(age, 7.0, 7.05, -1.0);
+    CHECK(age.age_s() == Approx(0.049));
+    CHECK(age.share() == 1.0);
+    wait(age, 7.05, 7.25, -1.0);
+    CHECK(age.is_lost());
+    age.restart();
+    CHECK(age.share() == 1.0);
+    CHECK(age.age_s() == 0.0);
+    age.step(9.0, -1.0, kDt_s);
+    CHECK(age.age_s() == 0.0);
+    age = ContactAge({});
+    age.step(1.0, 2.0, kDt_s);
+    CHECK(age.age_s() == 0.0);
+    age.step(1.0, std::numeric_limits<double>::quiet_NaN(), kDt_s);
+    CHECK(age.is_late());
+    CHECK(age.share() < 1.0);
+    test::check_ranges(ContactAgeSettings{},
+                       {{"hold_s", [](auto& s) -> double& { return s.hold_s; }, 0.001, 10.0},
+                        {"fade_s", [](auto& s) -> double& { return s.fade_s; }, 0.001, 10.0}});
+}
+
 TEST_CASE("contact taylor: where it was found it is the force of all clusters, to rounding") {
     const ContactModel model = make_model();
     const auto objects = make_objects();
@@ -96,8 +167,7 @@ TEST_CASE("contact taylor: where it was found it is the force of all clusters, t
     }
 }
 
-TEST_CASE(
-    "contact taylor: beside it the series is right to the second order, and what is held stays") {
+TEST_CASE("contact taylor: right to the second order beside its place, with its derivatives") {
     const ContactModel model = make_model();
     const auto objects = make_objects();
     ContactTaylor series(settings_of(PenaltyModel::linearised));
@@ -116,11 +186,6 @@ TEST_CASE(
     CHECK(error_at(series, 1.0) / error_at(series, 0.5) == Approx(4.0).epsilon(0.1));
     CHECK(error_at(held, 1.0) / error_at(held, 0.5) == Approx(2.0).epsilon(0.1));
     CHECK(error_at(held, 1.0) > 20.0 * error_at(series, 1.0));
-}
-
-TEST_CASE("contact taylor: its derivatives are those of its wrench") {
-    const ContactModel model = make_model();
-    const auto objects = make_objects();
     for (const PenaltyModel kind : {PenaltyModel::linearised, PenaltyModel::held}) {
         ContactTaylor taylor(settings_of(kind));
         taylor.learn(model);
@@ -130,9 +195,6 @@ TEST_CASE("contact taylor: its derivatives are those of its wrench") {
         CHECK(find_jacobian_error(taylor, state) < 1.0e-6);
         CHECK(find_adding_error(taylor, state) < 1.0e-12);
     }
-}
-
-TEST_CASE("contact taylor: forgotten, or of an object that is not there, it is nothing") {
     ContactTaylor taylor(settings_of(PenaltyModel::linearised));
     taylor.learn(make_model());
     CHECK(taylor.is_near());
@@ -142,4 +204,48 @@ TEST_CASE("contact taylor: forgotten, or of an object that is not there, it is n
     CHECK(wrench.force.norm() == 0.0);
     taylor.clear();
     CHECK_FALSE(taylor.is_near());
+}
+
+// An implicit tool among more contacts than are told of at a time.
+
+TEST_CASE("implicit penalty: among six walls the last one holds as the first one does") {
+    const Vector3 size(0.2, 0.1, 0.2);
+    constexpr double kBlock_m = 0.3;
+    constexpr double kPress_m = 0.02;
+    const auto field = test::make_field(make_box(Vector3::Constant(kBlock_m)).value(), 96);
+    const auto shell = test::make_shell(make_box(size).value(), 6000);
+    const std::array<Vector3, 6> directions{-Vector3::UnitY(), -Vector3::UnitX(), Vector3::UnitX(),
+                                            -Vector3::UnitZ(), Vector3::UnitY(),  Vector3::UnitZ()};
+    std::vector<MovingFrame> objects(directions.size());
+    ImplicitPenaltyPlan plan;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const Vector3& d = directions[i];
+        objects[i].pose_W =
+            Pose::at(d * (0.5 * kBlock_m + 0.5 * size.cwiseProduct(d.cwiseAbs()).sum() + 4.0e-4));
+        plan.objects.push_back({field, shell});
+    }
+    plan.settings.inertia = make_box_inertia(0.05, size);
+    plan.settings.coupling.shift.stiffness_N_per_m = 500.0;
+    plan.settings.coupling.turn.stiffness_Nm_per_rad = 2.0;
+    for (const std::size_t against : {std::size_t{0}, directions.size() - 1}) {
+        CAPTURE(against);
+        ImplicitPenaltyTool tool = ImplicitPenaltyTool::build(plan).value();
+        tool.place(Pose{});
+        ToolFelt felt;
+        for (int i = 1; i <= 400; ++i) {
+            const double share = std::min(1.0, i / 200.0);
+            felt = tool.move({Pose::at(share * kPress_m * directions[against]), {}}, objects,
+                             1.0e-3 * i, 1.0e-3);
+        }
+        // There are more clusters than are told of, which is said, and none is without.
+        CHECK(tool.model().n == kMostClusters);
+        CHECK_FALSE(felt.effort.in_time);
+        std::array<int, 6> n_of{};
+        for (const ToldContact& told : tool.model().all()) {
+            ++n_of.at(static_cast<std::size_t>(told.object));
+        }
+        CHECK(std::ranges::all_of(n_of, [](int n) { return n > 0; }));
+        CHECK(tool.centre_W().norm() < 1.0e-3);
+        CHECK(felt.felt_W.force.dot(-directions[against]) == Approx(500.0 * kPress_m).epsilon(0.1));
+    }
 }

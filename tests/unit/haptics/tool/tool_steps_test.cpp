@@ -1,5 +1,7 @@
+#include "haptics/math/rotation.h"
 #include "haptics/tool/step_limit.h"
-
+#include "haptics/tool/step_time.h"
+#include "haptics/tool/tool_motion.h"
 #include "tests/support/tool_scene.h"
 
 #include <catch2/catch.hpp>
@@ -90,7 +92,74 @@ Felt press(ToolPlan plan, double mass_kg) {
     return felt;
 }
 
+constexpr double kRounding = 1.0e-12;
+
 }  // namespace
+
+TEST_CASE(
+    "step time: looks are sixths at most, shared among what is near, and never more than is left") {
+    StepTime time(120.0, BudgetClock::counted);
+    time.begin();
+    CHECK(time.find_look_us(1) == 20.0);
+    CHECK(time.find_look_us(4) == 5.0);
+    time.count(0, 110.0);
+    CHECK(time.find_look_us(1) == Approx(10.0));
+    time.count(0, 50.0);
+    CHECK(time.left_us() == 0.0);
+    CHECK(time.find_look_us(1) == 0.0);
+    // The next step has all of it; one look alone likewise.
+    time.begin(1);
+    CHECK(time.left_us() == 120.0);
+    CHECK(time.find_look_us(1) == 120.0);
+}
+
+TEST_CASE("step time: there is time while two looks as dear as the dearest are left") {
+    StepTime time(100.0, BudgetClock::counted);
+    time.begin();
+    CHECK(time.has_time());
+    const auto look = [&](double cost_us) {
+        time.begin_look();
+        time.count(32, cost_us);
+        time.end_look();
+    };
+    look(30.0);
+    CHECK(time.has_time());
+    look(10.0);
+    CHECK(time.has_time());  // 60 are left
+    look(1.0);
+    CHECK_FALSE(time.has_time());
+    CHECK(time.has_time_for(1.0));
+    look(30.0);
+    CHECK_FALSE(time.has_time_for(1.0));
+    CHECK(time.n_looks() == 4);
+    CHECK(time.n_points() == 4 * 32);
+    time.begin();
+    CHECK(time.has_time());
+    CHECK(time.n_looks() == 0);
+    CHECK(time.n_points() == 0);
+}
+
+TEST_CASE("step time: without a budget there is always time, on the machine's clock it passes") {
+    StepTime endless;
+    endless.begin();
+    endless.begin_look();
+    endless.count(7, 1.0e9);
+    endless.end_look();
+    CHECK_FALSE(endless.has_end());
+    CHECK(endless.has_time());
+    CHECK(std::isinf(endless.left_us()));
+    CHECK(endless.n_points() == 7);
+    StepTime time(1.0);
+    time.begin();
+    time.begin_look();
+    const double began_s = monotonic_now_s();
+    while (monotonic_now_s() - began_s < 2.0e-6) {
+    }
+    time.end_look();
+    CHECK(time.elapsed_us() >= 2.0);
+    CHECK(time.left_us() == 0.0);
+    CHECK_FALSE(time.has_time());
+}
 
 TEST_CASE("step limit: of a single mode it is the closed form of each integrator") {
     // h^2 k/m = w and 2 h b/m = 2 c, with m = 1 kg: k = 1e6 w, b = 1e3 c.
@@ -191,4 +260,46 @@ TEST_CASE("step limit: more points, a shorter way to turn and a longer step come
     CHECK(growth([](ToolScene& scene) { scene.n_points = 2000; }) > 2.0 * as_it_is);
     CHECK(growth([](ToolScene& scene) { scene.inertia.moments_kg_m2 *= 0.1; }) > 2.0 * as_it_is);
     CHECK(growth([](ToolScene&) {}, 0.25 * kDt_s) < 0.5 * as_it_is);
+}
+
+TEST_CASE("tool motion: the way is the object's, and as long as its fastest point's at most") {
+    // Both go together on a carousel: no way at all.
+    MovingFrame object{{{0.3, -0.1, 0.2}, compute_exp({0.2, 1.0, -0.4})},
+                       {{0.5, 0.1, 0.0}, {0.0, 3.0, 1.0}}};
+    const Pose tool_O{{0.04, 0.02, -0.01}, compute_exp({0.1, 0.0, 0.3})};
+    const Pose object_before = move_evenly(object, -kDt_s).pose_W;
+    const ToolMotion together{object_before * tool_O, object_before, object};
+    CHECK(find_way(together, object.pose_W * tool_O, 0.1).longest_m < kRounding);
+    // Shifted by 5 mm and turned by 0.2 in the object's eyes: a point at 0.1 m goes 25 mm at most.
+    const Pose moved_O{tool_O.position + Vector3(0.0, 0.003, 0.004),
+                       compute_exp({0.0, 0.2, 0.0}) * tool_O.orientation};
+    const ToolWay way = find_way(together, object.pose_W * moved_O, 0.1);
+    CHECK(way.longest_m == Approx(0.025).epsilon(1.0e-9));
+    CHECK((way.to_OT.position - moved_O.position).norm() < kRounding);
+}
+
+TEST_CASE(
+    "tool motion: put back to none of the way the tool goes with the object, to all of it as it "
+    "went") {
+    const MovingFrame object{{{0.3, -0.1, 0.2}, compute_exp({0.2, 1.0, -0.4})},
+                             {{0.5, 0.1, 0.0}, {0.0, 3.0, 1.0}}};
+    const Pose before_O{{0.04, 0.02, -0.01}, compute_exp({0.1, 0.0, 0.3})};
+    const Pose object_before = move_evenly(object, -kDt_s).pose_W;
+    const ToolMotion motion{object_before * before_O, object_before, object};
+    RigidState end;
+    end.pose_W = object.pose_W * Pose{{0.05, 0.01, -0.01}, compute_exp({0.1, 0.2, 0.3})};
+    end.velocity_W = {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+    const ToolWay way = find_way(motion, end.pose_W, 0.1);
+    RigidState all = end;
+    put_back(motion, way, 1.0, 1.0, all);
+    CHECK((all.pose_W.position - end.pose_W.position).norm() < kRounding);
+    CHECK((all.velocity_W.linear - end.velocity_W.linear).norm() < kRounding);
+    CHECK((all.velocity_W.angular - end.velocity_W.angular).norm() < kRounding);
+    RigidState none = end;
+    put_back(motion, way, 0.0, 0.0, none);
+    const Pose there = object.pose_W * before_O;
+    CHECK((none.pose_W.position - there.position).norm() < kRounding);
+    CHECK((none.velocity_W.linear - compute_velocity_at(object, there.position)).norm() <
+          kRounding);
+    CHECK((none.velocity_W.angular - object.velocity_W.angular).norm() < kRounding);
 }
