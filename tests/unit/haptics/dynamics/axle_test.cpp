@@ -38,7 +38,7 @@ void step_for(const AxleSettings& axle, double torque_Nm, double seconds, double
 
 }  // namespace
 
-TEST_CASE("axle: the angular acceleration is torque over inertia, exactly, at any step") {
+TEST_CASE("axle: acceleration is torque over inertia, exactly, and its work is the energy") {
     for (const double dt_s : {1e-3, 1e-2, 0.5}) {
         AxleState state{0.3, -1.0};
         step_for(make_wheel(0.25), 0.5, 3.0, dt_s, state);
@@ -46,9 +46,6 @@ TEST_CASE("axle: the angular acceleration is torque over inertia, exactly, at an
         CHECK(state.spin_rad_per_s == Approx(-1.0 + 2.0 * 3.0).epsilon(1e-12));
         CHECK(state.angle_rad == Approx(0.3 - 3.0 + 0.5 * 2.0 * 9.0).epsilon(1e-12));
     }
-}
-
-TEST_CASE("axle: the work of the torque is the energy that it has") {
     const AxleSettings wheel = make_wheel(0.07);
     AxleState state{};
     double work_J = 0.0;
@@ -61,7 +58,8 @@ TEST_CASE("axle: the work of the torque is the energy that it has") {
     CHECK(compute_axle_energy_J(wheel, state) == Approx(work_J).epsilon(1e-10));
 }
 
-TEST_CASE("axle: friction stops it at the angle where its work has taken the energy") {
+TEST_CASE(
+    "axle: friction stops it where its work has taken the energy, and holds what pushes less") {
     for (const double dt_s : {1e-3, 7e-3, 10.0}) {
         for (const double sign : {1.0, -1.0}) {
             const AxleSettings wheel = make_wheel(0.2, 0.05);
@@ -72,9 +70,6 @@ TEST_CASE("axle: friction stops it at the angle where its work has taken the ene
             CHECK(state.angle_rad == Approx(sign * 0.5 * 0.2 * 9.0 / 0.05).epsilon(1e-11));
         }
     }
-}
-
-TEST_CASE("axle: friction holds what pushes less, and takes its part of what pushes more") {
     const AxleSettings wheel = make_wheel(0.2, 0.05);
     AxleState held{0.7, 0.0};
     step_for(wheel, 0.0499, 1.0, 1e-3, held);
@@ -153,7 +148,7 @@ TEST_CASE("axle: balance is where the torques cancel, and from there nothing mov
     CHECK(state.angle_rad == Approx(0.0).margin(1e-9));
 }
 
-TEST_CASE("axle: at the end of its range it stops, and leaves it again") {
+TEST_CASE("axle: it stops at the end of its range, and turns about its pivot, not its middle") {
     AxleSettings lever = make_wheel();
     lever.lowest_rad = -0.1;
     lever.highest_rad = 0.2;
@@ -163,10 +158,7 @@ TEST_CASE("axle: at the end of its range it stops, and leaves it again") {
     CHECK(state.spin_rad_per_s == 0.0);
     step_for(lever, -0.2, 5.0, 1e-3, state);
     CHECK(state.angle_rad == -0.1);
-}
-
-TEST_CASE("axle: the body turns about its pivot, not about its own middle") {
-    AxleSettings lever = make_wheel();
+    lever = make_wheel();
     lever.pivot_B = {0.5, 0.0, 0.0};
     const Pose turned =
         compute_turned_pose(lever, std::numbers::pi / 2, Pose::at(Vector3(1, 2, 3)));

@@ -146,7 +146,7 @@ TEST_CASE("backward Euler: Newton converges quadratically, so a smooth step take
     CHECK(left[2] < 1.0e-3 * left[1]);
 }
 
-TEST_CASE("backward Euler: a linear force is solved at once and matches the closed form") {
+TEST_CASE("backward Euler: a linear force is solved at once; one solve a step is first order") {
     // v' = (v - h k/m x) / (1 + h b/m + h^2 k/m), about the centre: no turning.
     const PointSpringLoad spring({.stiffness_N_per_m = 800.0, .damping_Ns_per_m = 3.0});
     RigidState state;
@@ -160,17 +160,14 @@ TEST_CASE("backward Euler: a linear force is solved at once and matches the clos
     const double v = (0.3 - h * 800.0 / m * 0.01) / (1.0 + h * 3.0 / m + h * h * 800.0 / m);
     CHECK(state.velocity_W.linear.x() == Approx(v).epsilon(1e-12));
     CHECK(state.pose_W.position.x() == Approx(0.01 + h * v).epsilon(1e-12));
-}
-
-TEST_CASE("backward Euler: one solve a step, the linearised method, is first order and says so") {
     IntegratorSettings once = settings_of(Integrator::backward_euler);
     once.newton_iterations = 1;
     const ToolCouplingLoad coupling = stretched_coupling();
-    RigidState state = any_state();
-    const StepResult result = step_rigid_body(once, kBlock, coupling, 0.0, 0.001, state);
-    CHECK(result.status == StepStatus::iterations_spent);
-    CHECK(result.moved());
-    CHECK(result.n_solves == 1);
+    state = any_state();
+    const StepResult of_one = step_rigid_body(once, kBlock, coupling, 0.0, 0.001, state);
+    CHECK(of_one.status == StepStatus::iterations_spent);
+    CHECK(of_one.moved());
+    CHECK(of_one.n_solves == 1);
     const RigidState converged =
         run(settings_of(Integrator::runge_kutta_4), kBlock, coupling, any_state(), 0.05, 20000);
     const auto error_of = [&](int n) {

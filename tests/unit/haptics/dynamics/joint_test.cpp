@@ -80,7 +80,7 @@ TEST_CASE("joint: errors grow as the rows say, on the joint's place and a little
     }
 }
 
-TEST_CASE("joint: a slider far out turns with its rail, and its rows say how errors grow") {
+TEST_CASE("joint: a slider far out turns with its rail; as many rows as degrees of freedom") {
     Random random(5);
     for (int i = 0; i < 40; ++i) {
         const Pose a{random.in_cube(), random.turn(3.0)};
@@ -99,10 +99,7 @@ TEST_CASE("joint: a slider far out turns with its rail, and its rows say how err
             REQUIRE(grown / Moved::kStep_s == Approx(way.find_rate(row)).margin(2.0e-5));
         }
     }
-}
-
-TEST_CASE("joint: as many rows as it takes degrees of freedom") {
-    Random random(2);
+    random = Random(2);
     const int taken[] = {3, 5, 5, 6, 1};
     for (std::size_t i = 0; i < 5; ++i) {
         CHECK(make_joint(make_plan(kKinds[i], random), Pose{}, Pose{}).n_rows == taken[i]);
@@ -193,6 +190,7 @@ std::vector<std::int32_t> spread(const std::vector<std::uint8_t>& moves, const L
     }
     return least;
 }
+
 TEST_CASE("islands: what links reach, in any order, and nothing through what stands still") {
     Random random(1);
     Islands islands(30);
@@ -234,6 +232,7 @@ TEST_CASE("islands: what links reach, in any order, and nothing through what sta
     }
     CHECK(islands.island_of(-1) == -1);
 }
+
 TEST_CASE("islands: groups keep numbers ascending, leave out what is in none, and may be empty") {
     Groups groups(6, 3);
     groups.sort(std::vector<std::int32_t>{2, 0, -1, 2, 0, 2}, 3);
@@ -281,6 +280,7 @@ TEST_CASE("hand rows: a push answers with its spring and its damper, each with i
     CHECK(rows.balls[1].n_along == 2);
     CHECK(rows.balls[1].most == Approx(kRowStep_s * 3.0));
 }
+
 TEST_CASE("hand rows: a push without force has its spring alone") {
     BodyHold hold = make_row_hold();
     hold.push_W.force.setZero();
@@ -295,6 +295,7 @@ TEST_CASE("hand rows: a push without force has its spring alone") {
     const HandRows left = make_rows(hold, state);
     CHECK(left.rows[0].target == Approx(0.5));
 }
+
 TEST_CASE("hand rows: across it holds what friction bears, and turns no more than it may") {
     const HandRows rows = make_rows(make_row_hold());
     CHECK(rows.rows[2].most == Approx(kRowStep_s * 0.7));
@@ -306,6 +307,7 @@ TEST_CASE("hand rows: across it holds what friction bears, and turns no more tha
     CHECK(rows.rows[6].softness == Approx(1.0 / (kRowStep_s * (kRowStep_s * 0.5 + 0.01))));
     CHECK(rows.rows[6].impulse == Approx(kRowStep_s * 0.05));
 }
+
 TEST_CASE("hand rows: what pulls beyond its bounds counts as the nearest within, by its length") {
     BodyHold hold = make_row_hold();
     hold.bounds.along_W.setZero();
@@ -318,7 +320,8 @@ TEST_CASE("hand rows: what pulls beyond its bounds counts as the nearest within,
     CHECK(rows.rows[3].impulse == Approx(kRowStep_s * 0.12));
     CHECK(rows.rows[4].impulse == Approx(kRowStep_s * 0.16));
 }
-TEST_CASE("hand rows: a hand that stands gives less as its body goes on, where it holds it then") {
+
+TEST_CASE("hand rows: a standing hand gives less as its body goes on; a grip holds every way") {
     BodyHold hold = make_row_hold();
     RigidState after;
     after.pose_W = {{0.001, 0.0, 0.0}, Quaternion(AngleAxis(0.5 * M_PI, Vector3::UnitZ()))};
@@ -329,9 +332,7 @@ TEST_CASE("hand rows: a hand that stands gives less as its body goes on, where i
     CHECK(hold.push_W.force.x() == Approx(2.0 + 600.0 * 0.029 + 5.0 * 0.09));
     CHECK(hold.push_W.force.y() == Approx(1.0 - 600.0 * 0.03 - 5.0 * 0.2));
     CHECK(hold.push_W.torque.z() == Approx(0.05 - 0.5 * 0.5 * M_PI - 0.01 * 3.0));
-}
-TEST_CASE("hand rows: a grip holds every way, and what is not bounded above nothing has no row") {
-    BodyHold hold = make_row_hold();
+    hold = make_row_hold();
     hold.bounds.along_W.setZero();
     HandRows rows = make_rows(hold);
     REQUIRE(rows.count == 6);
@@ -342,6 +343,7 @@ TEST_CASE("hand rows: a grip holds every way, and what is not bounded above noth
     hold.bounds.most_Nm = 0.0;
     CHECK(make_rows(hold).count == 0);
 }
+
 TEST_CASE("hand rows: without slopes a force is given as it is, no further than its bound") {
     BodyHold hold = make_row_hold();
     hold.slopes = {};

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <initializer_list>
-#include <numbers>
 #include <rapidcheck.h>
 #include <vector>
 
@@ -65,11 +64,23 @@ RigidState touching(double depth_m, double sinking_m_per_s) {
 
 }  // namespace
 
-TEST_CASE("loads: a constant load is what it is") {
+TEST_CASE("loads: constant ones; contacts never pull, with a ramp they begin without a jump") {
     const ConstantLoad load({{1.0, -2.0, 3.0}, {0.1, 0.2, -0.3}});
     Vector6 expected;
     expected << 1.0, -2.0, 3.0, 0.1, 0.2, -0.3;
     CHECK((find_wrench(load, any_state()) - expected).norm() == 0.0);
+    CHECK(compute_push_N(kContact, touching(-0.001, 1.0)) == 0.0);
+    CHECK(compute_push_N(kContact, touching(0.0, 1.0)) == 0.0);
+    CHECK(compute_push_N(kContact, touching(0.001, -1.0)) == 0.0);
+    CHECK(compute_push_N(kContact, touching(0.001, -0.399)) == Approx(0.005).epsilon(1e-9));
+    PlaneContact ramped = kContact;
+    ramped.damping_ramp_m = 1.0e-4;
+    // Without a ramp the push jumps by b u = 1 N.
+    CHECK(compute_push_N(kContact, touching(1.0e-9, 0.2)) == Approx(1.0).epsilon(1e-4));
+    CHECK(compute_push_N(ramped, touching(1.0e-9, 0.2)) < 2.0e-5);
+    CHECK(compute_push_N(ramped, touching(0.5e-4, 0.2)) == Approx(0.1 + 0.5).epsilon(1e-9));
+    CHECK(compute_push_N(ramped, touching(2.0e-4, 0.2)) ==
+          Approx(compute_push_N(kContact, touching(2.0e-4, 0.2))).epsilon(kRounding));
 }
 
 TEST_CASE("loads: a point spring pulls to its anchor, damps its point, and turns by its arm") {
@@ -94,24 +105,6 @@ TEST_CASE("loads: a contact pushes along its normal with k d - b u_n, and makes 
     CHECK((wrench.tail<3>() - kContact.point_B.cross(push_N * kContact.normal_W)).norm() < 1.0e-10);
     CHECK(compute_push_N(kContact, touching(0.001, 0.1)) == Approx(push_N).epsilon(1e-10));
     CHECK(compute_depth_m(kContact, touching(0.001, 0.0).pose_W) == Approx(0.001).epsilon(1e-10));
-}
-
-TEST_CASE("loads: a contact never pulls, neither outside nor while it lets go fast") {
-    CHECK(compute_push_N(kContact, touching(-0.001, 1.0)) == 0.0);
-    CHECK(compute_push_N(kContact, touching(0.0, 1.0)) == 0.0);
-    CHECK(compute_push_N(kContact, touching(0.001, -1.0)) == 0.0);
-    CHECK(compute_push_N(kContact, touching(0.001, -0.399)) == Approx(0.005).epsilon(1e-9));
-}
-
-TEST_CASE("loads: with a ramp the push is continuous at the touch, and the plain law behind it") {
-    PlaneContact ramped = kContact;
-    ramped.damping_ramp_m = 1.0e-4;
-    // Without a ramp the push jumps by b u = 1 N.
-    CHECK(compute_push_N(kContact, touching(1.0e-9, 0.2)) == Approx(1.0).epsilon(1e-4));
-    CHECK(compute_push_N(ramped, touching(1.0e-9, 0.2)) < 2.0e-5);
-    CHECK(compute_push_N(ramped, touching(0.5e-4, 0.2)) == Approx(0.1 + 0.5).epsilon(1e-9));
-    CHECK(compute_push_N(ramped, touching(2.0e-4, 0.2)) ==
-          Approx(compute_push_N(kContact, touching(2.0e-4, 0.2))).epsilon(kRounding));
 }
 
 // x(t) of a critically damped spring that is let go at x0: x0 (1 + w t) e^(-w t), w^2 = k / m.
@@ -228,7 +221,8 @@ TEST_CASE("loads: contact and coupling have the derivatives that automatic diffe
     CHECK(n_pushing > 20);
 }
 
-TEST_CASE("loads: the hand feels the opposite of what the coupling does to the tool at its grip") {
+TEST_CASE(
+    "loads: the hand feels the opposite at its grip, and the handle moves on along its twist") {
     ToolCouplingLoad load({}, {0.02, 0.01, -0.03});
     load.set_handle({{{0.01, 0.0, 0.0}, compute_exp({0.0, 0.3, 0.0})}, {}}, 0.0);
     const RigidState state = any_state();
@@ -237,9 +231,6 @@ TEST_CASE("loads: the hand feels the opposite of what the coupling does to the t
     const Vector3 arm = state.pose_W.orientation * Vector3(0.02, 0.01, -0.03);
     CHECK((on_tool.head<3>() + felt.force).norm() < kRounding);
     CHECK((on_tool.tail<3>() + felt.torque + arm.cross(felt.force)).norm() < kRounding);
-}
-
-TEST_CASE("loads: the handle moves on from its stamp along its twist") {
     ToolCouplingLoad moving{ToolCouplingSettings{}};
     ToolCouplingLoad there{ToolCouplingSettings{}};
     const Twist twist{{0.1, 0.2, -0.3}, {0.0, 2.0, 0.0}};

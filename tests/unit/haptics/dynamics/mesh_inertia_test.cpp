@@ -48,6 +48,7 @@ TEST_CASE("mesh inertia: a box has the inertia of a box, exactly, and its princi
     CHECK(by_mass->inertia.mass_kg == Approx(box.mass_kg).epsilon(1.0e-12));
     CHECK(by_mass->inertia.moments_kg_m2.isApprox(box.moments_kg_m2, 1.0e-12));
 }
+
 TEST_CASE("mesh inertia: turned and moved, its principal frame turns and moves with it") {
     const TriangleMesh mesh = *make_box(Vector3(0.3, 0.2, 0.1));
     const Inertia box = make_box_inertia(2.0, Vector3(0.3, 0.2, 0.1));
@@ -126,6 +127,7 @@ TEST_CASE("mesh inertia: open, overlapping, nested and partly inverted meshes ar
               make_ball_inertia(mass, 0.1).moments_kg_m2);
     }
 }
+
 TEST_CASE("mesh inertia: measured once a mesh has any mass; measuring tells, and can be stopped") {
     const TriangleMesh ball = *make_sphere(0.1, 24);
     const TriangleMesh cracked = *make_cracked(ball, 1.0e-4, 1, 0.0);
@@ -188,21 +190,18 @@ void compare(const SolidShape& shape, const Expected<TriangleMesh>& mesh, double
     }
     CHECK(exact.X_BP.position == Vector3::Zero());
 }
-TEST_CASE("shape inertia: closed forms are what the integrals over a fine mesh tell") {
+
+TEST_CASE("shape inertia: closed forms are a fine mesh's integrals; hulls have axes of their own") {
     compare(BoxShape{{0.1, 0.2, 0.3}}, make_box({0.2, 0.4, 0.6}), 1.0e-12);
     compare(SphereShape{0.1}, make_sphere(0.1, 40), kFacets);
     compare(CylinderShape{0.1, 0.3}, make_cylinder(0.1, 0.6, 200), kFacets);
     compare(CapsuleShape{0.1, 0.2}, make_capsule(0.1, 0.4, 200, 60), kFacets);
-}
-TEST_CASE("shape inertia: a capsule without length is a ball, and a mass is what it should be") {
     const auto capsule = compute_shape_inertia(CapsuleShape{0.1, 0.0}, 500.0).value();
     const auto ball = compute_shape_inertia(SphereShape{0.1}, 500.0).value();
     CHECK((capsule.inertia.moments_kg_m2 - ball.inertia.moments_kg_m2).norm() < 1.0e-15);
     const auto heavy = compute_shape_inertia_of_mass(BoxShape{{0.1, 0.2, 0.3}}, 12.0).value();
     CHECK(heavy.inertia.mass_kg == Approx(12.0));
     CHECK(heavy.inertia.moments_kg_m2.x() == Approx(12.0 / 3.0 * (0.04 + 0.09)));
-}
-TEST_CASE("shape inertia: a hull's centre of mass and axes are its own") {
     std::vector<Vector3> corners;
     for (int i = 0; i < 8; ++i) {
         corners.emplace_back(i & 1 ? 0.3 : 0.1, i & 2 ? 0.2 : -0.2, i & 4 ? 0.1 : -0.1);
@@ -215,6 +214,7 @@ TEST_CASE("shape inertia: a hull's centre of mass and axes are its own") {
     const auto mesh = compute_shape_inertia(touchable(make_box({0.2, 0.4, 0.6})), 100.0).value();
     CHECK(mesh.inertia.mass_kg == Approx(4.8));
 }
+
 TEST_CASE("shape inertia: what encloses nothing, has no density or is too light is refused") {
     CHECK_FALSE(compute_shape_inertia(SphereShape{0.1}, 0.0));
     CHECK_FALSE(compute_shape_inertia(SphereShape{0.1}, std::nan("")));
@@ -226,6 +226,7 @@ TEST_CASE("shape inertia: what encloses nothing, has no density or is too light 
     REQUIRE_FALSE(function);
     CHECK(to_sentence(function.error()).find("volume") != std::string::npos);
 }
+
 TEST_CASE("rigid state: spin and angular momentum belong together, in a body that is turned") {
     const Inertia inertia{0.2, {2.0e-5, 3.0e-5, 4.0e-5}};
     RigidState state;
@@ -240,7 +241,8 @@ TEST_CASE("rigid state: spin and angular momentum belong together, in a body tha
     CHECK(compute_kinetic_energy_J(inertia, state) ==
           Approx(0.5 * (0.2 * 9.0 + state.velocity_W.angular.dot(momentum))).epsilon(1e-12));
 }
-TEST_CASE("rigid state: about a principal axis momentum is the moment times the spin") {
+
+TEST_CASE("rigid state: momentum about a principal axis, and moments of a ball and of a box") {
     const Inertia inertia{0.2, {2.0e-5, 3.0e-5, 4.0e-5}};
     RigidState state;
     state.pose_W.orientation = compute_exp({0.3, 0.2, -0.9});
@@ -250,8 +252,6 @@ TEST_CASE("rigid state: about a principal axis momentum is the moment times the 
                inertia.moments_kg_m2[axis] * state.velocity_W.angular)
                   .norm() < 1.0e-18);
     }
-}
-TEST_CASE("rigid state: moments of a ball and of a box") {
     CHECK((make_ball_inertia(2.0, 0.1).moments_kg_m2 - Vector3::Constant(0.008)).norm() < 1.0e-15);
     const Inertia box = make_box_inertia(1.2, {0.1, 0.2, 0.3});
     CHECK((box.moments_kg_m2 - Vector3(0.013, 0.010, 0.005)).norm() < 1.0e-15);

@@ -113,19 +113,16 @@ TEST_CASE("rigid loop: what is dropped falls, lands with its speed, and comes to
     CHECK(cubes.seen(3).pose_W.position.y() == Approx(0.05).margin(1.0e-4));
 }
 
-TEST_CASE("rigid loop: what is placed stands where it was put, at rest and upright") {
+TEST_CASE("rigid loop: what is placed stands where it was put, what is hidden is nowhere") {
     CubesLoop cubes;
     cubes.run(0.1);
     cubes.order(WorldCommand::Kind::place, 3, {0.5, 0.15, 0.0}, {9.0, 9.0, 9.0});
     cubes.run(1.0);
     CHECK((cubes.seen(3).pose_W.position - Vector3(0.5, 0.15, 0.0)).norm() < 1.0e-4);
     CHECK(cubes.events().empty());
-}
-
-TEST_CASE("rigid loop: what is hidden is nowhere, from the start or by the lesson's order") {
     RigidLoopPlan plan = make_two_cubes();
     plan.hidden = {1};
-    CubesLoop cubes(plan);
+    cubes = CubesLoop(plan);
     cubes.order(WorldCommand::Kind::hide, 5, Vector3::Zero());
     cubes.run(0.1);
     CHECK(cubes.seen(3).where == BodyWhere::hidden);
@@ -311,7 +308,7 @@ TEST_CASE("rigid loop: a push of a time to come, or from before the last placing
     }
 }
 
-TEST_CASE("rigid loop: rounds close together add up, and push once") {
+TEST_CASE("rigid loop: rounds close together push once; a bad clock moves nothing too far") {
     CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, {9.0, 0.0, 0.0}));
     for (int i = 0; i < 5; ++i) {
         cubes.loop->step(cubes.now_s);
@@ -322,12 +319,9 @@ TEST_CASE("rigid loop: rounds close together add up, and push once") {
     const double moved_s = 0.0009 - cubes.felt(2).behind_s;
     CHECK(cubes.felt(2).behind_s < kShortestRigidStep_s);
     CHECK(cubes.seen(5).velocity_W.x() == Approx(9.0 / 0.5 * moved_s));
-}
-
-TEST_CASE("rigid loop: a clock that stands, leaps or is no number moves nothing too far") {
     RigidLoopPlan plan = make_two_cubes();
     plan.world.bodies[1].pose_W.position.y() = 50.0;
-    CubesLoop cubes(plan);
+    cubes = CubesLoop(plan);
     cubes.run(0.01);
     const double height_m = cubes.seen(3).pose_W.position.y();
     cubes.loop->step(cubes.now_s);
@@ -338,7 +332,7 @@ TEST_CASE("rigid loop: a clock that stands, leaps or is no number moves nothing 
     CHECK(cubes.seen(3).pose_W.position.y() > height_m - 9.81 * 0.06 * 0.06);
 }
 
-TEST_CASE("rigid loop: a step that does not keep up tells how much of the time it kept") {
+TEST_CASE("rigid loop: a slow step tells how much of the time it kept; bad plans are refused") {
     CubesLoop cubes;
     const auto told_rate = [&](double dt_s) {
         cubes.now_s += dt_s;
@@ -350,9 +344,6 @@ TEST_CASE("rigid loop: a step that does not keep up tells how much of the time i
     CHECK(told_rate(0.05) == Approx(1.0));
     CHECK(told_rate(0.2) == Approx(0.25));
     CHECK(told_rate(0.001) == Approx(1.0));
-}
-
-TEST_CASE("rigid loop: a plan whose lists do not fit its world is refused") {
     using P = RigidLoopPlan;
     check_refused(make_two_cubes(), {{&P::rate_hz, 10.0},
                                      [](P& plan) { plan.scene_bodies.pop_back(); },

@@ -77,7 +77,8 @@ TEST_CASE("rigid world ahead: a ball bounces off what it hits, not off the wall 
     }
 }
 
-TEST_CASE("rigid world ahead: what a push brings to a thin wall within a step stays before it") {
+TEST_CASE(
+    "rigid world ahead: pushed to a thin wall it stays before it; skidding, it rolls off alike") {
     for (const double mass_kg : {0.01, 0.001}) {
         CAPTURE(mass_kg);
         const auto world =
@@ -88,9 +89,6 @@ TEST_CASE("rigid world ahead: what a push brings to a thin wall within a step st
         }
         CHECK(world->state(0).pose_W.position.x() == Approx(0.0005).margin(1.0e-6));
     }
-}
-
-TEST_CASE("rigid world ahead: a ball that skids rolls off alike in whatever phase of the step") {
     // It sticks to the ground: v = v_0 5/7, and w = v / r.
     for (const double phase_m : {1.0e-4, 3.0e-3, 6.0e-3, 9.9e-3}) {
         CAPTURE(phase_m);
@@ -132,7 +130,8 @@ TEST_CASE("rigid world ahead: a ball bounces where it touches, in whatever phase
     }
 }
 
-TEST_CASE("rigid world ahead: of two balls that meet within a step both are where they would be") {
+TEST_CASE(
+    "rigid world ahead: balls that meet in a step, or in a narrow gap, are where they would be") {
     for (const double phase : {0.1, 0.5, 0.9}) {
         CAPTURE(phase);
         const auto world =
@@ -144,9 +143,6 @@ TEST_CASE("rigid world ahead: of two balls that meet within a step both are wher
         CHECK(world->state(1).pose_W.position.x() == Approx((1.0 - phase) * 0.05).margin(4.0e-5));
         CHECK(world->state(1).velocity_W.linear.x() == Approx(50.0));
     }
-}
-
-TEST_CASE("rigid world ahead: a ball in a narrow gap bounces to and fro within a step") {
     // 4 mm to go at 20 m/s: five bounces a step, more than are followed.
     const auto world = begin({make_ball(0.01, Vector3::Zero(), {20.0, 0.0, 0.0}, 1.0),
                               make_wall(0.01, 0.022), make_wall(0.01, -0.022)});

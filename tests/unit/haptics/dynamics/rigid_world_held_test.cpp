@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -76,6 +75,7 @@ TEST_CASE("rigid world: an arm turns what is held, and the hand holds the place 
     CHECK(world->state(0).velocity_W.linear.y() ==
           Approx(impulse_Ns / kHeldMass_kg).epsilon(kHeldRounding));
 }
+
 // k far above what steps of 50 ms could follow with the body's own mass: h^2 k / m = 20.
 TEST_CASE("rigid world: a body on a stiff spring comes to rest where the spring holds its weight") {
     for (const double h : {0.001, 0.01, 0.05}) {
@@ -136,14 +136,11 @@ double fall_touched(double force_N, double friction_N) {
     return -world->state(0).velocity_W.linear.y();
 }
 
-TEST_CASE("rigid world: a body falls past a hand that touches its side, but for its friction") {
+TEST_CASE("rigid world: a body falls past a hand at its side, and a touch never draws it") {
     CHECK(fall_touched(1.0e-3, 0.0) == Approx(0.981).epsilon(1.0e-9));
     CHECK(fall_touched(1.0, 0.0) == Approx(0.981).epsilon(1.0e-9));
     // What friction may hold it may take: m g - 0.6 mN.
     CHECK(fall_touched(1.0e-3, 0.6e-3) == Approx(0.1 * (9.81 - 0.6e-3 / 0.02)).epsilon(1.0e-9));
-}
-
-TEST_CASE("rigid world: a touch never draws a body that goes") {
     const auto world = make_held({9.81, 0.0, 0.0});
     for (int i = 0; i < 10; ++i) {
         world->hold(0, make_touch(*world, {1.0e-3, 0.0, 0.0}, {4000.0, 50.0, 0.0, 0.0, 0.1},
@@ -166,7 +163,7 @@ TEST_CASE("rigid world: what a touch without force goes along with falls as if t
           Approx(-0.981 * 0.2 / (0.2 + spring_kg)).epsilon(1.0e-6));
 }
 
-TEST_CASE("rigid world: a hand gives no more than it may feel, whatever way it is pulled") {
+TEST_CASE("rigid world: a hand gives no more than it may feel, along its direction") {
     const double h = 0.01;
     const PushSlopes slopes{4000.0, 50.0, 0.0, 0.0, 2.0};
     for (const Vector3& pull_N : {Vector3(10.0, 10.0, 10.0), Vector3(0.0, -12.0, 5.0),
@@ -190,9 +187,6 @@ TEST_CASE("rigid world: a hand gives no more than it may feel, whatever way it i
         CHECK(std::hypot(pushed_N.x(), pushed_N.z()) <= 2.0 * (1.0 + 1.0e-6));
         CHECK(pushed_N.y() >= -1.0e-6);
     }
-}
-
-TEST_CASE("rigid world: a push is along its direction, however long that is written") {
     const auto push_along = [](double length) {
         const auto world = make_held(kDown);
         BodyHold hold =

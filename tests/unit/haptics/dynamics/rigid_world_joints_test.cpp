@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -164,7 +163,8 @@ TEST_CASE("rigid world: a motor brings a hinge to its speed, a limit stops it, f
     CHECK(std::abs(held->joint_travel(0)) < 1.0e-9);
 }
 
-TEST_CASE("rigid world: a motor turns a hinge to its limit, beyond half a turn and beyond two") {
+TEST_CASE(
+    "rigid world: a motor turns a hinge to its limit, beyond two turns; one side may be free") {
     for (const double limit_rad : {4.0, 15.0}) {
         CAPTURE(limit_rad);
         auto up = make_joined(JointKind::hinge,
@@ -177,16 +177,13 @@ TEST_CASE("rigid world: a motor turns a hinge to its limit, beyond half a turn a
         CHECK(down->joint_travel(0) == Approx(-limit_rad).epsilon(1.0e-6));
         CHECK(up->state(0).velocity_W.angular.norm() <= 1.0e-6);
     }
-}
-
-TEST_CASE("rigid world: a limit on one side leaves the other side free") {
     auto world = make_joined(JointKind::hinge, {.upper = 1.0}, {Vector3::Zero(), {0.0, 0.0, -4.0}});
     run(*world, 1.5);
     CHECK(world->joint_travel(0) == Approx(-6.0).epsilon(1.0e-3));
     CHECK(world->state(0).velocity_W.angular.z() == Approx(-4.0).epsilon(1.0e-6));
 }
 
-TEST_CASE("rigid world: a slider passes neither limit, though a step would pass both") {
+TEST_CASE("rigid world: a slider passes no limit, and a slow motor is not put to sleep") {
     for (const double speed_m_per_s : {10.0, -10.0}) {
         CAPTURE(speed_m_per_s);
         auto world = make_joined(JointKind::slider, {.lower = -1.0e-3, .upper = 2.0e-3},
@@ -197,9 +194,6 @@ TEST_CASE("rigid world: a slider passes neither limit, though a step would pass 
             CHECK(world->joint_travel(0) >= -1.0e-3 - 1.0e-7);
         }
     }
-}
-
-TEST_CASE("rigid world: a slow motor is not put to sleep, and a motor at rest is") {
     auto turning = make_joined(JointKind::hinge, {.motor_speed = 0.02, .motor_force = 1.0});
     run(*turning, 2.0);
     CHECK(turning->joint_travel(0) == Approx(0.04).epsilon(1.0e-3));
@@ -228,6 +222,7 @@ RigidWorldPlan make_round(JointKind kind, double spin_rad_per_s) {
                            .axis_W = Vector3::UnitZ()});
     return plan;
 }
+
 TEST_CASE("rigid world parts: what goes round stays on its circle, and is where it should be") {
     for (const JointKind kind : {JointKind::ball, JointKind::hinge, JointKind::distance}) {
         for (const double spin_rad_per_s : {5.0, 30.0, 100.0, 250.0}) {
@@ -250,7 +245,8 @@ TEST_CASE("rigid world parts: what goes round stays on its circle, and is where 
         }
     }
 }
-TEST_CASE("rigid world parts: what spins about its joint's own axis, or has none, goes in one") {
+
+TEST_CASE("rigid world parts: about its own axis, or beyond all parts, a spin wins no energy") {
     RigidWorldPlan plan = make_round(JointKind::hinge, 0.0);
     plan.bodies[0].velocity_W = {Vector3::Zero(), {0.0, 0.0, 1000.0}};
     plan.joints[0].anchor_W = {kArm_m, 0.0, 0.05};
@@ -262,8 +258,6 @@ TEST_CASE("rigid world parts: what spins about its joint's own axis, or has none
     const auto free = make_rigid_world(plan);
     free->step(0.01);
     CHECK(free->report().n_in_parts == 0);
-}
-TEST_CASE("rigid world parts: a spin beyond all parts stays finite and wins no energy") {
     for (const double spin_rad_per_s : {2000.0, 1.0e5, 1.0e9}) {
         CAPTURE(spin_rad_per_s);
         const auto world = make_rigid_world(make_round(JointKind::ball, spin_rad_per_s));
@@ -275,6 +269,7 @@ TEST_CASE("rigid world parts: a spin beyond all parts stays finite and wins no e
         CHECK(world->compute_energy_J() <= 1.01 * energy_J);
     }
 }
+
 // An arm of 0.2 m that a motor swings down from level, and a post of 2 cm in its way.
 RigidWorldPlan make_swatter(double speed_rad_per_s) {
     RigidWorldPlan plan = plan_awake({plan_box({0.1, 0.005, 0.02}, {0.1, 0.0, 0.0}, 0.2),
@@ -283,7 +278,8 @@ RigidWorldPlan make_swatter(double speed_rad_per_s) {
     plan.joints[0].drive = {.motor_speed = speed_rad_per_s, .motor_force = 2.0};
     return plan;
 }
-TEST_CASE("rigid world parts: contacts are those of each part: what is swung stops at a post") {
+
+TEST_CASE("rigid world parts: contacts and pushes are those of all parts, and of no more") {
     for (const double speed_rad_per_s : {10.0, 30.0, 60.0}) {
         CAPTURE(speed_rad_per_s);
         const auto world = make_rigid_world(make_swatter(speed_rad_per_s));
@@ -300,8 +296,6 @@ TEST_CASE("rigid world parts: contacts are those of each part: what is swung sto
         CHECK(deepest_m < 1.0e-3);
         CHECK(world->shape_pose_W(0).position.norm() == Approx(0.1).margin(kPinned_m));
     }
-}
-TEST_CASE("rigid world parts: a push acts in all parts of a step, and no longer") {
     const auto world = make_rigid_world(make_round(JointKind::hinge, 40.0));
     const double moment = world->inertia(0).moments_kg_m2.x() + 0.2 * kArm_m * kArm_m;
     world->push(0, {Vector3::Zero(), {0.0, 0.0, 0.05}});

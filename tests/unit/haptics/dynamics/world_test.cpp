@@ -209,7 +209,7 @@ TEST_CASE("world: bad commands and steps are ignored, the commands counted") {
     CHECK(world.at_W(2).y() == Approx(1.0 - 0.12 + 0.04));
 }
 
-TEST_CASE("world: the same commands and hand give the same bits") {
+TEST_CASE("world: the same commands, the same bits; a full bucket catches and holds nothing more") {
     const auto play = [] {
         ToldWorld world;
         for (int k = 0; k < 800; ++k) {
@@ -226,9 +226,6 @@ TEST_CASE("world: the same commands and hand give the same bits") {
     for (std::size_t i = 0; i < 3; ++i) {
         CHECK(is_same(first.bodies[i], again.bodies[i]));
     }
-}
-
-TEST_CASE("world: a full bucket catches and holds nothing more, also when two arrive in one step") {
     WorldPlan plan = make_world_plan();
     plan.catcher.capacity = 1;
     ToldWorld world(plan);
