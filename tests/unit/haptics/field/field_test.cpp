@@ -98,8 +98,7 @@ TEST_CASE("viscosity: the force opposes the motion and its power is never positi
     }));
 }
 
-TEST_CASE(
-    "magnet: zero at the centre, its peak at its range, nothing far away, never above the peak") {
+TEST_CASE("magnet: zero at the centre, its peak at its range, the slope of its potential") {
     const Vector3 anchor(0.3, -0.1, 0.2);
     const Vector3 way = Vector3(2.0, -1.0, 2.0) / 3.0;
     CHECK(compute_magnet_force(anchor, anchor, 3.0, 0.05).norm() == 0.0);
@@ -111,11 +110,6 @@ TEST_CASE(
         REQUIRE(force.norm() <= 3.0 * (1.0 + kRounding));
         REQUIRE(force.dot(way) <= 0.0);
     }
-}
-
-TEST_CASE(
-    "magnet: the force is the slope of its potential, and its stiffness at the centre is as "
-    "stated") {
     const auto potential_J = [](double r_m) {
         const double s = r_m / 0.05;
         return -3.0 * 0.05 * std::exp(0.5 * (1.0 - s * s));
@@ -153,7 +147,7 @@ TEST_CASE("field: it switches on along a ramp and then obeys its law") {
     CHECK(rest(field, command, 2, position, velocity).norm() == 0.0);
 }
 
-TEST_CASE("field: a strength outside 0 to 1 counts as the nearest") {
+TEST_CASE("field: a strength outside 0 to 1 is the nearest; an anchor that jumps is followed") {
     FieldStage field(make_spring());
     FieldCommand command;
     command.strength = 50.0;
@@ -162,13 +156,8 @@ TEST_CASE("field: a strength outside 0 to 1 counts as the nearest") {
     command.strength = -3.0;
     (void)rest(field, command, 300);
     CHECK(field.strength() == 0.0);
-}
-
-TEST_CASE(
-    "field: an anchor that jumps is followed in closed form, and a field that was off starts at "
-    "it") {
-    FieldStage field(make_undamped());
-    FieldCommand command;
+    field = FieldStage(make_undamped());
+    command = FieldCommand();
     command.anchor_W = Vector3(0.05, 0.0, 0.0);
     CHECK(rest(field, command, 201).x() == Approx(5.0));
     command.anchor_W = Vector3(0.0, 0.02, 0.0);
@@ -192,7 +181,7 @@ TEST_CASE("field: a time that is no time passes none") {
     }
 }
 
-TEST_CASE("field: an anchor at the end of all numbers is no place, and a field gets over it") {
+TEST_CASE("field: anchors and commands that are none let go; the largest gains are its law's") {
     for (const bool while_on : {false, true}) {
         FieldStage field(make_undamped());
         FieldCommand command;
@@ -206,9 +195,6 @@ TEST_CASE("field: an anchor at the end of all numbers is no place, and a field g
         command.anchor_W = Vector3(0.05, 0.0, 0.0);
         CHECK(rest(field, command, 201).x() == Approx(5.0));
     }
-}
-
-TEST_CASE("field: its largest gains are the slopes of its law, of a magnet at the centre") {
     const auto slope = [](const FieldPlan& plan) {
         const double h = 1e-7;
         const Vector3 away = plan.anchor_W + Vector3(h, 0, 0);
@@ -221,9 +207,6 @@ TEST_CASE("field: its largest gains are the slopes of its law, of a magnet at th
             gains.damping_Ns_per_m ==
             Approx(-feel(plan, plan.anchor_W, plan.anchor_W, Vector3(1, 0, 0)).x()).margin(1e-12));
     }
-}
-
-TEST_CASE("field: a command that is not finite lets the field go") {
     FieldStage field(make_magnet());
     FieldCommand command;
     const Vector3 at(0.05, 0, 0);

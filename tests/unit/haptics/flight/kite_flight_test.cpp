@@ -195,7 +195,7 @@ TEST_CASE("kite flight: in steady flight four forces cancel, and their torques a
     }
 }
 
-TEST_CASE("kite flight: it flies by its knot and its tail") {
+TEST_CASE("kite flight: it flies by its knot and its tail, and without wind comes down") {
     const auto height_m = [](double knot_m, double tail_m) {
         KiteFlightSettings settings;
         settings.kite.knot_m = knot_m;
@@ -212,9 +212,6 @@ TEST_CASE("kite flight: it flies by its knot and its tail") {
     CHECK(height_m(0.68, 2.0) > 15.0);
     CHECK(height_m(0.60, 2.0) < 2.0);  // too low: it stands too steep, and dives
     CHECK(height_m(0.68, 0.0) < 2.0);  // without a tail it turns over
-}
-
-TEST_CASE("kite flight: without wind it comes down and lies still") {
     KiteFlightSettings settings;
     settings.wind.speed_m_per_s = 0.0;
     KiteFlight flight(settings);
@@ -252,7 +249,7 @@ TEST_CASE("kite flight: a line that is too weak snaps, and then nothing pulls") 
     CHECK_FALSE(flight.report().is_snapped);
 }
 
-TEST_CASE("kite flight: more wind pulls harder, more line takes it higher") {
+TEST_CASE("kite flight: more wind pulls harder, more line goes higher, twice the same to the bit") {
     KiteFlight flight{KiteFlightSettings{}};
     fly(flight, 30.0);
     const double pull_N = flight.report().hand_force_W.norm();
@@ -271,9 +268,6 @@ TEST_CASE("kite flight: more wind pulls harder, more line takes it higher") {
     flight.set_wind_speed_m_per_s(std::numeric_limits<double>::quiet_NaN());
     fly(flight, 1.0);
     CHECK(is_finite(flight.report().pose_W));
-}
-
-TEST_CASE("kite flight: the same flight twice to the bit, gusts and all") {
     KiteFlightSettings settings;
     settings.wind.gustiness = 1.5;
     KiteFlight one(settings);
@@ -302,7 +296,7 @@ TEST_CASE("kite flight: on land that lies higher it flies alike, gusts and all")
     CHECK((high.report().wind_W - low.report().wind_W).norm() < 1.0e-6);
 }
 
-TEST_CASE("kite flight: what the wind carries goes with the mean wind, whatever the kite does") {
+TEST_CASE("kite flight: the mean wind carries; what is no number or no part is refused") {
     KiteFlight flight{KiteFlightSettings{}};
     fly(flight, 2.0);
     CHECK(flight.report().air_way_m == Approx(12.0));
@@ -313,10 +307,7 @@ TEST_CASE("kite flight: what the wind carries goes with the mean wind, whatever 
     flight.set_wind_speed_m_per_s(3.0);
     fly(flight, 1.0);
     CHECK(flight.report().air_way_m == Approx(15.0));
-}
-
-TEST_CASE("kite flight: a time or a hand that is none moves nothing") {
-    KiteFlight flight{KiteFlightSettings{}};
+    flight = KiteFlight{KiteFlightSettings{}};
     fly(flight, 1.0);
     const Vector3 before_W = flight.report().centre_W;
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -328,9 +319,6 @@ TEST_CASE("kite flight: a time or a hand that is none moves nothing") {
     flight.launch(kHand_W, nan, 1.1);
     flight.launch(kHand_W, 0.7, nan);
     CHECK(flight.report().centre_W == before_W);
-}
-
-TEST_CASE("kite flight: refuses what its parts refuse") {
     using F = KiteFlightSettings;
     check_refused(F{}, {{&F::gravity_m_per_s2, -1.0},
                         {&F::ground_N_per_m, 0.0},

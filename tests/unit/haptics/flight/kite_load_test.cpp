@@ -70,7 +70,7 @@ TEST_CASE("kite load: the line's pull likewise, at the knot") {
           1.0e-12);
 }
 
-TEST_CASE("kite load: what moves with the wind feels nothing, and only the difference counts") {
+TEST_CASE("kite load: with the wind nothing is felt; a flat plate has its terminal speed") {
     Random random(13);
     const Kite kite = make_kite(KiteSettings{});
     RigidState state = make_state(random);
@@ -83,6 +83,25 @@ TEST_CASE("kite load: what moves with the wind feels nothing, and only the diffe
     const Vector6 standing =
         find_wrench(KiteAirLoad(kite, wind_W - state.velocity_W.linear, 1.2), still);
     CHECK((moving - standing).norm() < 1.0e-12 * moving.norm());
+    Kite sheet;
+    sheet.inertia = {0.05, Vector3(1.0e-3, 1.0e-3, 2.0e-3)};
+    FlatPlate plate;
+    plate.normal = Vector3::UnitY();
+    plate.area_m2 = 0.25;
+    plate.chord_m = 0.5;
+    sheet.plates.push_back(plate);
+    const KiteAirLoad air(sheet, Vector3::Zero(), kAirDensity_kg_per_m3);
+    const ConstantLoad weight({.force = Vector3(0.0, -0.05 * 9.81, 0.0)});
+    const Loads<KiteAirLoad, ConstantLoad> loads(air, weight);
+    state = RigidState();
+    for (int i = 0; i < 5000; ++i) {
+        REQUIRE(step_rigid_body({}, sheet.inertia, loads, 0.0, 0.002, state).status ==
+                StepStatus::done);
+    }
+    const double expected_m_per_s =
+        std::sqrt(2.0 * 0.05 * 9.81 / (kAirDensity_kg_per_m3 * 0.25 * compute_broadside_drag(1.0)));
+    CHECK(-state.velocity_W.linear.y() == Approx(expected_m_per_s).epsilon(1.0e-6));
+    CHECK(state.velocity_W.angular.norm() < 1.0e-9);
 }
 
 TEST_CASE("kite load: the tail drags at the foot, along the wind") {
@@ -99,28 +118,6 @@ TEST_CASE("kite load: the tail drags at the foot, along the wind") {
     CHECK((tail.head<3>() - drag_W).norm() < 1.0e-12);
     const Vector3 foot_W = state.pose_W.orientation * with.foot_B;
     CHECK((tail.tail<3>() - foot_W.cross(drag_W)).norm() < 1.0e-12);
-}
-
-TEST_CASE("kite load: a plate that falls flat reaches its terminal speed") {
-    Kite sheet;
-    sheet.inertia = {0.05, Vector3(1.0e-3, 1.0e-3, 2.0e-3)};
-    FlatPlate plate;
-    plate.normal = Vector3::UnitY();
-    plate.area_m2 = 0.25;
-    plate.chord_m = 0.5;
-    sheet.plates.push_back(plate);
-    const KiteAirLoad air(sheet, Vector3::Zero(), kAirDensity_kg_per_m3);
-    const ConstantLoad weight({.force = Vector3(0.0, -0.05 * 9.81, 0.0)});
-    const Loads<KiteAirLoad, ConstantLoad> loads(air, weight);
-    RigidState state;
-    for (int i = 0; i < 5000; ++i) {
-        REQUIRE(step_rigid_body({}, sheet.inertia, loads, 0.0, 0.002, state).status ==
-                StepStatus::done);
-    }
-    const double expected_m_per_s =
-        std::sqrt(2.0 * 0.05 * 9.81 / (kAirDensity_kg_per_m3 * 0.25 * compute_broadside_drag(1.0)));
-    CHECK(-state.velocity_W.linear.y() == Approx(expected_m_per_s).epsilon(1.0e-6));
-    CHECK(state.velocity_W.angular.norm() < 1.0e-9);
 }
 
 namespace {
@@ -151,16 +148,13 @@ Vector3 coefficient(PlateLaw law, double aspect_ratio, double angle_rad) {
 
 }  // namespace
 
-TEST_CASE("flat plate: along the stream it is only rubbed") {
+TEST_CASE("flat plate: along, across and between in closed form, with Helmbold's slope") {
     for (const PlateLaw law : kPlateLaws) {
         const PlateForce felt = compute_plate_force(law, make_plate(), kAir, stream(0.0, 7.0));
         CHECK(felt.force.x() == Approx(0.5 * kAir * 0.3 * 49.0 * kPlateFriction));
         CHECK(std::abs(felt.force.z()) < kRounding);
         CHECK(felt.torque.norm() < kRounding);
     }
-}
-
-TEST_CASE("flat plate: across the stream it has the drag of a broad side, in its middle") {
     // Viterna and Corrigan: 1.128 of a square plate; 2.01 of an endless one.
     CHECK(compute_broadside_drag(1.0) == Approx(1.128));
     CHECK(compute_broadside_drag(1.0e9) == Approx(2.01));
@@ -170,17 +164,11 @@ TEST_CASE("flat plate: across the stream it has the drag of a broad side, in its
             compute_plate_force(law, make_plate(), kAir, stream(0.5 * kPi, 7.0));
         CHECK(felt.torque.norm() < 1.0e-9);
     }
-}
-
-TEST_CASE("flat plate: the lift's slope is Helmbold's, from an endless wing to a slender one") {
     CHECK(compute_lift_slope(1.0e6) == Approx(2.0 * kPi).epsilon(1.0e-5));
     CHECK(compute_lift_slope(1.0e-3) == Approx(0.5 * kPi * 1.0e-3).epsilon(1.0e-3));
     constexpr double kSmall_rad = 1.0e-6;
     CHECK(coefficient(PlateLaw::cross_flow, 2.0, kSmall_rad).z() / kSmall_rad ==
           Approx(compute_lift_slope(2.0)).epsilon(1.0e-5));
-}
-
-TEST_CASE("flat plate: in between, the three laws in closed form") {
     const double a = 0.4;
     const double K = 4.0 * kPi / (2.0 + std::sqrt(8.0));
     const double cross = K * std::sin(a) * std::cos(a) + 1.146 * std::sin(a) * std::sin(a);
@@ -226,7 +214,7 @@ TEST_CASE("flat plate: the centre of pressure goes from the quarter chord to the
           Approx(-upstream_share(PlateLaw::cross_flow, 0.3)));
 }
 
-TEST_CASE("flat plate: air only takes energy, and pushes back alike from behind") {
+TEST_CASE("flat plate: air only takes energy, alike from behind, and still air nothing") {
     Random random(3);
     for (int i = 0; i < 3000; ++i) {
         const FlatPlate plate = make_plate(std::exp(2.0 * random.uniform()));
@@ -238,6 +226,13 @@ TEST_CASE("flat plate: air only takes energy, and pushes back alike from behind"
             CHECK((felt.force + behind.force).norm() < kRounding * felt.force.norm());
         }
     }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Vector3& flow : {Vector3(0, 0, 0), Vector3(nan, 0, 1)}) {
+        const PlateForce felt = compute_plate_force(PlateLaw::cross_flow, make_plate(), kAir, flow);
+        CHECK(felt.force == Vector3::Zero());
+        CHECK(felt.torque == Vector3::Zero());
+    }
+    CHECK(std::string(to_string(PlateLaw::thin_plate)) == "thin plate");
 }
 
 TEST_CASE("flat plate: slopes of cross flow are its differences; none of still air") {
@@ -272,14 +267,4 @@ TEST_CASE("flat plate: slopes of cross flow are its differences; none of still a
     CHECK(still.torque.isZero());
     // Broadside, where the flow along the plate has no direction.
     CHECK(compute_cross_flow_slopes(plate, 1.2, 5.0 * plate.normal).force.allFinite());
-}
-
-TEST_CASE("flat plate: still air, no plate's fault, does nothing") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const Vector3& flow : {Vector3(0, 0, 0), Vector3(nan, 0, 1)}) {
-        const PlateForce felt = compute_plate_force(PlateLaw::cross_flow, make_plate(), kAir, flow);
-        CHECK(felt.force == Vector3::Zero());
-        CHECK(felt.torque == Vector3::Zero());
-    }
-    CHECK(std::string(to_string(PlateLaw::thin_plate)) == "thin plate");
 }

@@ -47,7 +47,7 @@ Vector3 feel_at(const Vector3& offset_m) {
 
 }  // namespace
 
-TEST_CASE("line feel: the world's pull where the hand was, a spring and a string around it") {
+TEST_CASE("line feel: pull, spring and string about the hand; shared, bounded, with torque") {
     CHECK((feel_at({0.0, 0.0, 0.0}) - Vector3(3.0, 0.0, 0.0)).norm() < 1.0e-12);
     CHECK((feel_at({-0.02, 0.0, 0.0}) - Vector3(3.5, 0.0, 0.0)).norm() < 1.0e-12);
     const double aside_N = 3.0 + 25.0 * (std::hypot(20.0, 0.1) - 20.0);
@@ -56,9 +56,6 @@ TEST_CASE("line feel: the world's pull where the hand was, a spring and a string
     // Brought nearer by more than it is stretched, it is slack.
     CHECK(feel_at({0.119, 0.0, 0.0}).x() == Approx(0.025));
     CHECK(feel_at({0.121, 0.0, 0.0}) == Vector3::Zero());
-}
-
-TEST_CASE("line feel: shared, bounded, and with the torque of the arm") {
     LineFeelSettings settings;
     settings.share = 0.5;
     settings.most_N = 2.0;

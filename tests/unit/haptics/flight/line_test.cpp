@@ -89,16 +89,13 @@ double catenary_error(int segments, const Vector3& end_W) {
 
 }  // namespace
 
-TEST_CASE("line: it hangs as the catenary, slack and taut, to the square of the segments") {
+TEST_CASE("line: a catenary, slack and taut; taut it pulls by its stretch, slack it never pushes") {
     const Vector3 slack(15.0, 8.0, 0.0);
     const double coarse = catenary_error(8, slack);
     const double fine = catenary_error(32, slack);
     CHECK(fine < 1.0e-3);
     CHECK(coarse / fine > 10.0);
     CHECK(catenary_error(16, {15.0, 14.0, 0.0}) < 1.0e-3);
-}
-
-TEST_CASE("line: taut, it pulls by its stretch at both ends; slack, it never pushes") {
     Scene scene(false);
     for (const int segments : {1, 2, 16}) {
         LineSettings settings;
@@ -274,7 +271,7 @@ TEST_CASE("line: the ground pushes out what is in it, its grass holds what moves
           Approx(kDepth_m * kOmega_h * kOmega_h / std::pow(1.0 + kOmega_h, 2)));
 }
 
-TEST_CASE("line: let out, it slackens; its length stays within bounds") {
+TEST_CASE("line: let out, it slackens within bounds; settings that no line has are refused") {
     Scene scene;
     KiteLine line(LineSettings{});
     scene.settle(line, Vector3::Zero(), {16.0, 13.0, 0.0}, 1.0);
@@ -288,9 +285,6 @@ TEST_CASE("line: let out, it slackens; its length stays within bounds") {
     CHECK(line.length_m() == Approx(80.0));
     line.set_length_m(0.0);
     CHECK(line.length_m() == Approx(0.5));
-}
-
-TEST_CASE("line: refuses settings that no line has") {
     using L = LineSettings;
     check_refused(L{}, {{&L::length_m, 0.0},
                         {&L::segments, 0},
