@@ -146,7 +146,7 @@ TEST_CASE("push trial: slow wandering falls out of two opposite pushes") {
     CHECK(judge(0.002, 0.0041) == PushVerdict::aside);
 }
 
-TEST_CASE("push trial: bad settings are refused; a push lost in friction is unfelt") {
+TEST_CASE("push trial: a push lost in friction is unfelt, and bad settings are refused") {
     CHECK(validate(PushSettings{}));
     CHECK_FALSE(validate(PushSettings{.force_N = 3.01}));
     CHECK_FALSE(validate(PushSettings{.force_N = std::nan("")}));
