@@ -32,6 +32,7 @@ void check_is_greatest(const PlacedShape& a, const PlacedShape& b, double size_m
     REQUIRE((are_boxes && searched_m > 0.0 ? axis.gap_m > 0.0
                                            : axis.gap_m >= searched_m - 2.0 * kPrefer * size_m));
 }
+
 TEST_CASE("contact axis: least translation and shortest way of every pair, at any size") {
     for (const double size_m : {1.0e-3, 1.0, 1.0e3}) {
         const auto shapes = make_contact_shapes(size_m);
@@ -47,6 +48,7 @@ TEST_CASE("contact axis: least translation and shortest way of every pair, at an
         }
     }
 }
+
 TEST_CASE("contact axis: the pair turned over tells the same with the normal turned over") {
     const auto shapes = make_contact_shapes(1.0);
     Random random(6);
@@ -66,6 +68,7 @@ TEST_CASE("contact axis: the pair turned over tells the same with the normal tur
         }
     }
 }
+
 TEST_CASE("contact axis: two boxes face to face, edge to edge and one in the other") {
     const auto box = make_contact_shape(BoxShape{{0.5, 0.5, 0.5}}).value();
     const PlacedShape lower{&box};
@@ -86,6 +89,7 @@ TEST_CASE("contact axis: two boxes face to face, edge to edge and one in the oth
     CHECK(same.gap_m == -1.0);
     CHECK(same.normal_W.norm() == 1.0);
 }
+
 TEST_CASE("contact axis: round shapes in closed form, their middles in one place too") {
     const auto capsule = make_contact_shape(CapsuleShape{0.1, 1.0}).value();
     const Matrix3 lying = AngleAxis(0.5 * M_PI, Vector3::UnitX()).toRotationMatrix();
@@ -105,6 +109,7 @@ TEST_CASE("contact axis: round shapes in closed form, their middles in one place
     CHECK(inside.gap_m == Approx(-0.4));
     CHECK(inside.normal_W.norm() == Approx(1.0));
 }
+
 TEST_CASE("contact axis: a half space tells the height of what is lowest, from either side") {
     const ContactShape ground = make_half_space();
     for (const ContactShape& shape : make_contact_shapes(1.0)) {
@@ -124,7 +129,8 @@ TEST_CASE("contact axis: a half space tells the height of what is lowest, from e
     }
     CHECK(find_contact_axis({&ground}, {&ground}, 1.0, 0).gap_m == kFar_m);
 }
-TEST_CASE("contact axis: the direction of last time stays until another is better by the margin") {
+
+TEST_CASE("contact axis: the last direction stays until bettered; what is apart is told at once") {
     const auto box = make_contact_shape(BoxShape{{0.5, 0.5, 0.5}}).value();
     // As deep along x as along y, but for what is added along x.
     const auto find = [&](double deeper_m, std::int32_t last) {
@@ -140,8 +146,6 @@ TEST_CASE("contact axis: the direction of last time stays until another is bette
         CHECK(find(noise_m, along_y).which == along_y);
     }
     CHECK(find(2.0 * margin_m, along_x).which == along_y);
-}
-TEST_CASE("contact axis: what is apart by the margin along the last axis is told at once") {
     const auto shapes = make_contact_shapes(1.0);
     for (const ContactShape& first : shapes) {
         const PlacedShape a{.shape = &first, .place = {0.0, 3.0, 0.0}};
@@ -151,6 +155,7 @@ TEST_CASE("contact axis: what is apart by the margin along the last axis is told
         CHECK(find_contact_axis(a, b, 0.01, axis.which).gap_m > 0.01);
     }
 }
+
 // Counter-clockwise from outside, flat, and as far along the direction as the core goes.
 void check_feature(const ContactShape& shape, const Vector3& direction) {
     constexpr double kRounding = 1.0e-9;  // a face's corners lie in its plane to 1e-7 of the size
@@ -177,7 +182,8 @@ void check_feature(const ContactShape& shape, const Vector3& direction) {
         REQUIRE(reached >= farthest - 1.0e-3 * shape.bounding_radius_m * 1.0e-3);
     }
 }
-TEST_CASE("contact shape: a feature is flat, runs round its normal and holds the farthest point") {
+
+TEST_CASE("contact shape: features are flat, run round their normals and keep the corners") {
     Random random(1);
     for (const ContactShape& shape : make_contact_shapes(1.0)) {
         for (int i = 0; i < 2000; ++i) {
@@ -188,7 +194,18 @@ TEST_CASE("contact shape: a feature is flat, runs round its normal and holds the
             check_feature(shape, -Vector3::Unit(axis));
         }
     }
+    const auto cylinder = make_contact_shape(CylinderShape{1.0, 0.5}).value();
+    SupportFeature still;
+    find_feature(cylinder, Vector3(1.0e-6, -1.0, 1.0e-6).normalized(), still);
+    CHECK(still.corners_B[0] == Vector3(1.0, -0.5, 0.0));
+    const Vector3 down = Vector3(0.3, -1.0, 0.4).normalized();
+    SupportFeature tilted;
+    find_feature(cylinder, down, tilted);
+    CHECK((tilted.corners_B[0] - Vector3(0.6, -0.5, 0.8)).norm() < 1.0e-12);
+    find_feature(cylinder, Vector3::UnitX(), tilted);
+    CHECK(tilted.count == 2);
 }
+
 TEST_CASE("contact shape: a hull's triangles in one plane are one face, with each corner once") {
     std::vector<Vector3> corners;
     for (int i = 0; i < 8; ++i) {
@@ -207,19 +224,8 @@ TEST_CASE("contact shape: a hull's triangles in one plane are one face, with eac
     find_feature(round, Vector3::UnitY(), feature);
     CHECK(feature.count == kMostCorners);
 }
-TEST_CASE("contact shape: an upright end keeps its corners, a tilted one has its lowest") {
-    const auto cylinder = make_contact_shape(CylinderShape{1.0, 0.5}).value();
-    SupportFeature still;
-    find_feature(cylinder, Vector3(1.0e-6, -1.0, 1.0e-6).normalized(), still);
-    CHECK(still.corners_B[0] == Vector3(1.0, -0.5, 0.0));
-    const Vector3 down = Vector3(0.3, -1.0, 0.4).normalized();
-    SupportFeature tilted;
-    find_feature(cylinder, down, tilted);
-    CHECK((tilted.corners_B[0] - Vector3(0.6, -0.5, 0.8)).norm() < 1.0e-12);
-    find_feature(cylinder, Vector3::UnitX(), tilted);
-    CHECK(tilted.count == 2);
-}
-TEST_CASE("contact shape: a mesh has the hull round it, and what cannot push is refused") {
+
+TEST_CASE("contact shape: a mesh has the hull round it; a face is found again by its number") {
     const auto mesh = make_contact_shape(touchable(make_torus(0.1, 0.03, 16, 8)));
     REQUIRE(mesh);
     CHECK(mesh->kind == ContactShape::Kind::mesh);
@@ -235,8 +241,6 @@ TEST_CASE("contact shape: a mesh has the hull round it, and what cannot push is 
     CHECK(to_sentence(ground.error()).find("height field") != std::string::npos);
     CHECK_FALSE(make_contact_shape(SphereShape{-1.0}));
     CHECK_FALSE(make_contact_shape(BoxShape{{1.0, std::nan(""), 1.0}}));
-}
-TEST_CASE("contact shape: a face is found again by its number, and no other number has a normal") {
     for (const ContactShape& shape : make_contact_shapes(1.0)) {
         Random random(3);
         for (int i = 0; i < 100; ++i) {
@@ -293,6 +297,7 @@ TEST_CASE("collision mesh: keeps the source's numbers of its triangles and tells
     CHECK(mesh->memory_bytes() > 1620 * 30);
     CHECK(mesh->memory_bytes() < 1620 * 50);
 }
+
 TEST_CASE("collision mesh: a mesh that was given away is refused") {
     auto mesh = make_box(Vector3::Ones());
     REQUIRE(CollisionMesh::create(std::move(*mesh)));

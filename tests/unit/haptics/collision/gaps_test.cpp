@@ -27,27 +27,6 @@ void check_gap(const Shape& shape, const Vector3& p, const Vector3& normal, doub
     CHECK((gap.normal_B - normal.normalized()).norm() < 1e-14);
     CHECK(gap.curvature_per_m == Approx(curvature_per_m));
 }
-TEST_CASE("shape gap: closed forms outside and inside of each shape") {
-    const SphereShape sphere{2.0};
-    check_gap(sphere, {3, 0, 4}, {3, 0, 4}, 3.0, 1.0 / 5.0);
-    check_gap(sphere, {0, -0.5, 0}, {0, -1, 0}, -1.5, 2.0);
-    const BoxShape box{{1.0, 2.0, 3.0}};
-    check_gap(box, {0.5, 2.5, -1.0}, {0, 1, 0}, 0.5, 0.0);
-    check_gap(box, {-1.3, 2.4, 0.0}, {-0.3, 0.4, 0}, 0.5, 2.0);
-    check_gap(box, {2.0, -4.0, 5.0}, {1, -2, 2}, 3.0, 1.0 / 3.0);
-    check_gap(box, {-0.9, 1.0, 1.0}, {-1, 0, 0}, -0.1, 0.0);
-    CHECK(find_gap(box, {-1.3, 2.4, 0.0}).straight_B == Vector3::UnitZ());
-    const CapsuleShape capsule{0.5, 1.0};
-    check_gap(capsule, {0.0, 0.3, 2.0}, {0, 0, 1}, 1.5, 0.5);
-    check_gap(capsule, {3.0, 5.0, 0.0}, {3, 4, 0}, 4.5, 0.2);
-    CHECK(find_gap(capsule, {0.0, 0.3, 2.0}).straight_B == Vector3::UnitY());
-    const CylinderShape cylinder{2.0, 1.0};
-    check_gap(cylinder, {3, 0.5, 4}, {3, 0, 4}, 3.0, 1.0 / 5.0);
-    check_gap(cylinder, {1, -1.5, 1}, {0, -1, 0}, 0.5, 0.0);
-    check_gap(cylinder, {2.3, 1.4, 0}, {0.3, 0.4, 0}, 0.5, 2.0);
-    check_gap(cylinder, {0.1, 0.7, 0}, {0, 1, 0}, -0.3, 0.0);
-    check_gap(cylinder, {-1.8, 0.2, 0}, {-1, 0, 0}, -0.2, 1.0 / 1.8);
-}
 
 // A gap of a convex shape: it changes by as much as one goes along the normal, and never by more; a tangent lies below it.
 template <class Shape>
@@ -67,7 +46,26 @@ void check_law(const Shape& shape, unsigned seed) {
     }
 }
 
-TEST_CASE("shape gap: it is convex, and the way along the normal is the shortest out") {
+TEST_CASE("shape gap: closed forms, convex, and the normal is the shortest way out") {
+    const SphereShape sphere{2.0};
+    check_gap(sphere, {3, 0, 4}, {3, 0, 4}, 3.0, 1.0 / 5.0);
+    check_gap(sphere, {0, -0.5, 0}, {0, -1, 0}, -1.5, 2.0);
+    const BoxShape box{{1.0, 2.0, 3.0}};
+    check_gap(box, {0.5, 2.5, -1.0}, {0, 1, 0}, 0.5, 0.0);
+    check_gap(box, {-1.3, 2.4, 0.0}, {-0.3, 0.4, 0}, 0.5, 2.0);
+    check_gap(box, {2.0, -4.0, 5.0}, {1, -2, 2}, 3.0, 1.0 / 3.0);
+    check_gap(box, {-0.9, 1.0, 1.0}, {-1, 0, 0}, -0.1, 0.0);
+    CHECK(find_gap(box, {-1.3, 2.4, 0.0}).straight_B == Vector3::UnitZ());
+    const CapsuleShape capsule{0.5, 1.0};
+    check_gap(capsule, {0.0, 0.3, 2.0}, {0, 0, 1}, 1.5, 0.5);
+    check_gap(capsule, {3.0, 5.0, 0.0}, {3, 4, 0}, 4.5, 0.2);
+    CHECK(find_gap(capsule, {0.0, 0.3, 2.0}).straight_B == Vector3::UnitY());
+    const CylinderShape cylinder{2.0, 1.0};
+    check_gap(cylinder, {3, 0.5, 4}, {3, 0, 4}, 3.0, 1.0 / 5.0);
+    check_gap(cylinder, {1, -1.5, 1}, {0, -1, 0}, 0.5, 0.0);
+    check_gap(cylinder, {2.3, 1.4, 0}, {0.3, 0.4, 0}, 0.5, 2.0);
+    check_gap(cylinder, {0.1, 0.7, 0}, {0, 1, 0}, -0.3, 0.0);
+    check_gap(cylinder, {-1.8, 0.2, 0}, {-1, 0, 0}, -0.2, 1.0 / 1.8);
     check_law(SphereShape{1.0}, 1);
     check_law(BoxShape{{1.0, 0.5, 0.2}}, 2);
     check_law(CapsuleShape{0.4, 1.0}, 3);
@@ -75,7 +73,7 @@ TEST_CASE("shape gap: it is convex, and the way along the normal is the shortest
     check_law(CylinderShape{0.7, 0.5}, 5);
 }
 
-TEST_CASE("shape gap: the very middle has a way out too, and the bounding sphere holds all") {
+TEST_CASE("shape gap: the middle has a way out too; an edge bends until its face is reached") {
     CHECK(find_gap(SphereShape{1.0}, Vector3::Zero()).gap_m == -1.0);
     CHECK(find_gap(CapsuleShape{0.3, 1.0}, Vector3::Zero()).gap_m == -0.3);
     CHECK(find_gap(CylinderShape{0.3, 1.0}, Vector3::Zero()).gap_m == -0.3);
@@ -84,9 +82,6 @@ TEST_CASE("shape gap: the very middle has a way out too, and the bounding sphere
     CHECK(bounding_radius_m(BoxShape{{1.0, 2.0, 2.0}}) == 3.0);
     CHECK(bounding_radius_m(CapsuleShape{0.5, 1.0}) == 1.5);
     CHECK(bounding_radius_m(CylinderShape{3.0, 4.0}) == 5.0);
-}
-
-TEST_CASE("shape gap: an edge bends until its face is reached") {
     const BoxShape box{{1.0, 1.0, 1.0}};
     const Vector3 over_edge(1.001, 1.1, 0.0);
     CHECK(find_bend(box, over_edge, Vector3(-1, 0, 0)) == Approx(0.001));
@@ -173,11 +168,33 @@ void compare(const ConvexCore& core, const Shape& shape, unsigned seed) {
     }
 }
 
-TEST_CASE("convex gap: a point's distance from box, cylinder and segment is that in closed form") {
+TEST_CASE("convex gap: closed forms of points, parallel faces, supports and spheres of cores") {
     compare({.kind = Kind::box, .half_m = {1.0, 0.5, 0.2}}, BoxShape{{1.0, 0.5, 0.2}}, 1);
     compare({.kind = Kind::cylinder, .half_m = {0.7, 0.5, 0.0}}, CylinderShape{0.7, 0.5}, 2);
     compare({.kind = Kind::segment, .half_m = {0.0, 1.0, 0.0}}, CapsuleShape{0.0, 1.0}, 3);
+    for (const double scale : {1e-4, 1.0, 1e3}) {
+        const ConvexCore box{.kind = Kind::box, .half_m = scale * Vector3(1.0, 0.5, 0.2)};
+        const ConvexCore other{.kind = Kind::box, .half_m = scale * Vector3(0.3, 0.3, 0.3)};
+        for (const double gap : {1.0, 1e-3, 1e-6, 1e-9}) {
+            const Vector3 at = scale * Vector3(0.1, 0.8 + gap, 0.05);
+            const ConvexGap found = find_convex_gap(at, [&](const Vector3& d) {
+                return Vector3(at + other.find_support(d) - box.find_support(-d));
+            });
+            CHECK(found.gap_m == Approx(scale * gap).margin(1e-15 * scale));
+            CHECK((found.normal - Vector3::UnitY()).norm() < 1e-6);
+        }
+    }
+    const ConvexCore cylinder{.kind = Kind::cylinder, .half_m = {2.0, 1.0, 0.0}, .radius_m = 0.5};
+    CHECK(cylinder.find_support({3.0, -1.0, 4.0}).isApprox(Vector3(1.2, -1.0, 1.6)));
+    CHECK(cylinder.find_support({0.0, 1.0, 0.0}) == Vector3(0.0, 1.0, 0.0));
+    CHECK(cylinder.bounding_radius_m() == Approx(std::sqrt(5.0) + 0.5));
+    const std::array<Vector3, 2> cloud{Vector3(1, 2, 2), Vector3(-1, 0, 0)};
+    const ConvexCore core{.kind = Kind::cloud, .cloud = cloud};
+    CHECK(core.find_support({-1.0, 0.1, 0.1}) == Vector3(-1, 0, 0));
+    CHECK(core.bounding_radius_m() == 3.0);
+    CHECK(ConvexCore{.radius_m = 0.1}.bounding_radius_m() == 0.1);
 }
+
 TEST_CASE("convex gap: triangles in general position, against what their corners and edges tell") {
     Random random(4);
     int n_apart = 0;
@@ -213,31 +230,6 @@ TEST_CASE("convex gap: triangles in general position, against what their corners
     CHECK(n_apart > 2000);
     CHECK(n_apart < 5000);
 }
-TEST_CASE("convex gap: faces that lie parallel, at any distance and size") {
-    for (const double scale : {1e-4, 1.0, 1e3}) {
-        const ConvexCore box{.kind = Kind::box, .half_m = scale * Vector3(1.0, 0.5, 0.2)};
-        const ConvexCore other{.kind = Kind::box, .half_m = scale * Vector3(0.3, 0.3, 0.3)};
-        for (const double gap : {1.0, 1e-3, 1e-6, 1e-9}) {
-            const Vector3 at = scale * Vector3(0.1, 0.8 + gap, 0.05);
-            const ConvexGap found = find_convex_gap(at, [&](const Vector3& d) {
-                return Vector3(at + other.find_support(d) - box.find_support(-d));
-            });
-            CHECK(found.gap_m == Approx(scale * gap).margin(1e-15 * scale));
-            CHECK((found.normal - Vector3::UnitY()).norm() < 1e-6);
-        }
-    }
-}
-TEST_CASE("convex gap: supports and bounding spheres of the cores") {
-    const ConvexCore cylinder{.kind = Kind::cylinder, .half_m = {2.0, 1.0, 0.0}, .radius_m = 0.5};
-    CHECK(cylinder.find_support({3.0, -1.0, 4.0}).isApprox(Vector3(1.2, -1.0, 1.6)));
-    CHECK(cylinder.find_support({0.0, 1.0, 0.0}) == Vector3(0.0, 1.0, 0.0));
-    CHECK(cylinder.bounding_radius_m() == Approx(std::sqrt(5.0) + 0.5));
-    const std::array<Vector3, 2> cloud{Vector3(1, 2, 2), Vector3(-1, 0, 0)};
-    const ConvexCore core{.kind = Kind::cloud, .cloud = cloud};
-    CHECK(core.find_support({-1.0, 0.1, 0.1}) == Vector3(-1, 0, 0));
-    CHECK(core.bounding_radius_m() == 3.0);
-    CHECK(ConvexCore{.radius_m = 0.1}.bounding_radius_m() == 0.1);
-}
 
 const ContactShape kPoint = make_contact_shape(SphereShape{1.0}).value();  // its core is one
 const ContactShape kFlatBox = make_contact_shape(BoxShape{{1.0, 0.5, 0.7}}).value();
@@ -248,7 +240,7 @@ ConvexGap find_depth(const PlacedShape& a, const PlacedShape& b) {
         [&](const Vector3& d) noexcept { return Vector3(a.find_support(d) - b.find_support(-d)); });
 }
 
-TEST_CASE("convex depth: a point inside a box or a cylinder goes out by the nearest face") {
+TEST_CASE("convex depth: out by the nearest face, by sign at a touch, along a normal if thin") {
     Random random(1);
     for (int i = 0; i < 2000; ++i) {
         const PlacedShape point{.shape = &kPoint, .place = 0.5 * random.in_cube()};
@@ -262,9 +254,6 @@ TEST_CASE("convex depth: a point inside a box or a cylinder goes out by the near
         REQUIRE(in_can.gap_m <= depth + 1.0e-12);
         REQUIRE(in_can.gap_m >= depth - 4.0e-6);
     }
-}
-
-TEST_CASE("convex depth: bodies that only just touch, or are apart by faces, tell it by sign") {
     const auto box = make_contact_shape(BoxShape{{1.0, 1.0, 1.0}}).value();
     for (const double gap_m : {-1.0e-9, 0.0, 1.0e-9, 0.3}) {
         const ConvexGap found =
@@ -272,9 +261,6 @@ TEST_CASE("convex depth: bodies that only just touch, or are apart by faces, tel
         CHECK(found.gap_m == Approx(gap_m).margin(1.0e-15));
         CHECK(found.normal.y() == Approx(1.0));
     }
-}
-
-TEST_CASE("convex depth: what has no thickness is parted along its normal") {
     const auto capsule = make_contact_shape(CapsuleShape{0.1, 1.0}).value();
     const ConvexGap found = find_depth({.shape = &kPoint}, {.shape = &capsule});
     CHECK(found.gap_m == Approx(0.0).margin(1.0e-15));
@@ -284,7 +270,7 @@ TEST_CASE("convex depth: what has no thickness is parted along its normal") {
     CHECK(same.normal.norm() == Approx(1.0));
 }
 
-TEST_CASE("convex depth: from whichever four of their points on it is as deep") {
+TEST_CASE("convex depth: from whichever four points it is as deep, and no direction parts sooner") {
     Random random(3);
     int n_tried = 0;
     for (int i = 0; i < 500; ++i) {
@@ -308,9 +294,7 @@ TEST_CASE("convex depth: from whichever four of their points on it is as deep") 
         REQUIRE(found.gap_m == Approx(-find_support(-found.normal).dot(-found.normal)));
     }
     CHECK(n_tried > 100);
-}
-TEST_CASE("convex depth: no direction tried by hand parts bodies sooner") {
-    Random random(2);
+    random = Random(2);
     const auto shapes = make_contact_shapes(1.0);
     for (int i = 0; i < 60; ++i) {
         const auto& a = shapes[2 + static_cast<std::size_t>(i % 3)];

@@ -124,6 +124,7 @@ TEST_CASE("mesh obstacle: a plane that the way does not sink through spares what
     question.to_B.y() -= 0.01;
     CHECK(obstacle.cast(question).found());
 }
+
 TEST_CASE("mesh obstacle: the nearest triangle is found only when it is near enough") {
     const auto mesh = touchable(make_box(Vector3::Ones()));
     const MeshObstacle obstacle(mesh, kRadius_m);
@@ -135,6 +136,7 @@ TEST_CASE("mesh obstacle: the nearest triangle is found only when it is near eno
     CHECK(gap.normal_B.isApprox(Vector3::UnitY()));
     CHECK(gap.curvature_per_m == 0.0);
 }
+
 TEST_CASE("mesh obstacle: an edge bends by one over the distance, across itself, up to its faces") {
     const auto mesh = touchable(make_box(Vector3::Ones()));
     MeshObstacle obstacle(mesh, kRadius_m);
@@ -156,6 +158,7 @@ TEST_CASE("mesh obstacle: an edge bends by one over the distance, across itself,
     CHECK(obstacle.find_bend(feature, steep, Vector3(0.0998749, -0.995, 0.0)) ==
           Approx(0.1 * 0.00998749 / 0.0995).epsilon(1e-4));
 }
+
 TEST_CASE("convex cursor: a box on a box stops by its face, on a mesh of a box alike") {
     const Vector3 half(0.5, 0.5, 0.5);
     const ConvexBody cursor = make_convex_cursor(BoxShape{{0.1, 0.2, 0.3}});
@@ -177,6 +180,7 @@ TEST_CASE("convex cursor: a box on a box stops by its face, on a mesh of a box a
         CHECK(obstacle->find_nearest({0.0, 0.61, 0.0}, kLevel_m) == -1);
     }
 }
+
 TEST_CASE("convex cursor: no way of any cursor through any body ends nearer than it stops") {
     const std::vector<SolidShape> shapes{BoxShape{{0.2, 0.1, 0.3}}, CapsuleShape{0.1, 0.2},
                                          CylinderShape{0.2, 0.1}, SphereShape{0.15}};

@@ -148,7 +148,7 @@ TEST_CASE("sampled contacts: what is held from several sides has a patch for eac
 }
 
 // Beside each other's edges, a little out and a little up: the edges meet, and no face faces anything.
-TEST_CASE("sampled contacts: edges beside each other touch slantwise, and no face does") {
+TEST_CASE("sampled contacts: edges touch slantwise beside each other, flush they touch upwards") {
     const auto cube = sampled(make_box({0.1, 0.1, 0.1}));
     const auto table = sampled(BoxShape{{0.05, 0.05, 0.05}});
     constexpr double kApart_m = 2.0e-3;
@@ -168,10 +168,6 @@ TEST_CASE("sampled contacts: edges beside each other touch slantwise, and no fac
             CHECK(std::abs(point.place_W.y() - 0.05 - 0.5 * kApart_m) < 2.0e-4);
         }
     }
-}
-
-TEST_CASE("sampled contacts: what stands flush on its like touches upwards alone") {
-    const auto cube = sampled(make_box({0.1, 0.1, 0.1}));
     Random random(11);
     for (int i = 0; i < 20; ++i) {
         const Vector3 off = 2.0e-5 * random.in_cube();

@@ -164,6 +164,7 @@ SegmentHit ask_each(const std::vector<PreparedTriangle>& triangles, const Vector
     }
     return nearest;
 }
+
 TEST_CASE("triangle batch: its answer is to the bit that of asking each triangle, for any number") {
     Random random(53);
     TriangleBatch batch;
@@ -197,6 +198,7 @@ TEST_CASE("triangle batch: its answer is to the bit that of asking each triangle
     CHECK(n_hits > 10000);
     CHECK(n_missed > 10000);
 }
+
 TEST_CASE("triangle batch: what rounding puts on the wrong side of a plane is not left out") {
     Random random(53);
     TriangleBatch batch;

@@ -26,7 +26,7 @@ TriangleMesh make_without_last(const TriangleMesh& mesh) {
     return *TriangleMesh::build(mesh.vertices_B(), triangles);
 }
 
-TEST_CASE("self-intersection: sound meshes have none, whatever their scale and their slivers") {
+TEST_CASE("self-intersection: sound meshes have none, a triangle through another is one place") {
     CHECK(find_self_intersections(*make_box(Vector3::Ones())).count == 0);
     CHECK(find_self_intersections(*make_globe(1.0, 300, 12)).count == 0);
     CHECK(find_self_intersections(*make_torus(1.0, 0.3, 40, 20)).count == 0);
@@ -37,8 +37,6 @@ TEST_CASE("self-intersection: sound meshes have none, whatever their scale and t
         CHECK(found.count == 0);
         CHECK_FALSE(found.more);
     }
-}
-TEST_CASE("self-intersection: a triangle through another is one place, whichever is asked") {
     std::vector<Vector3> vertices{{0, 0, 0},        {1, 0, 0},       {0, 1, 0},
                                   {0.2, 0.2, -1.0}, {0.2, 0.2, 1.0}, {5.0, 5.0, 0.5}};
     const auto through = [&](const Vector3& by) {
@@ -58,6 +56,7 @@ TEST_CASE("self-intersection: a triangle through another is one place, whichever
     // Touching with a corner, or along an edge, is not passing through.
     CHECK(through(Vector3(0.0, 0.0, 1.0)) == 0);
 }
+
 TEST_CASE("self-intersection: as many as trying all pairs finds, between two balls") {
     const auto ball = make_sphere(1.0, 6);
     const Vector3 by(0.7, 0.31, 0.17);
@@ -181,6 +180,7 @@ TEST_CASE("wall thickness: a plate is as thick as it is, inside out too") {
     // Its rims are walls of 0.3 and 0.4 m.
     CHECK(find(plate, 0.999) > 0.29);
 }
+
 TEST_CASE("wall thickness: a ball is as thick as its diameter, a hollow one as its skin") {
     CHECK(find(*make_sphere(0.1, 40), 0.0) > 0.195);
     const TriangleMesh hollow = *make_hollow(*make_sphere(0.1, 40), *make_sphere(0.095, 40));
@@ -201,7 +201,8 @@ int count_kind(const SurfaceSamples& samples, SampleKind kind) {
     return static_cast<int>(std::ranges::count_if(
         samples.all(), [&](const SurfaceSample& s) { return s.kind == kind; }));
 }
-TEST_CASE("surface samples: a box has its corners, its faces, and its edges by the spacing") {
+
+TEST_CASE("surface samples: corners, faces and edges of a box; what is round has faces alone") {
     const auto samples = SurfaceSamples::make(*make_box({0.4, 0.2, 0.1}), 200);
     REQUIRE(samples);
     CHECK(samples->spacing_m() == Approx(std::sqrt(2.0 * (0.08 + 0.04 + 0.02) / 200.0)));
@@ -222,8 +223,6 @@ TEST_CASE("surface samples: a box has its corners, its faces, and its edges by t
                                                        : 1));
         CHECK(sample.along_B.norm() == Approx(sample.kind == SampleKind::edge ? 1.0 : 0.0));
     }
-}
-TEST_CASE("surface samples: what is round has faces alone, and what looks inwards has no edges") {
     const auto ball = SurfaceSamples::make(*make_sphere(0.1, 8), 64);
     REQUIRE(ball);
     CHECK(ball->all().size() == 64);
@@ -236,7 +235,8 @@ TEST_CASE("surface samples: what is round has faces alone, and what looks inward
     REQUIRE(plate);
     CHECK(count_kind(*plate, SampleKind::corner) == 8);
 }
-TEST_CASE("surface samples: groups hold each sample once, within their balls") {
+
+TEST_CASE("surface samples: groups hold each once, in their balls; too few or many are refused") {
     const auto samples = SurfaceSamples::make(*make_cylinder(0.05, 0.2, 64), 512);
     REQUIRE(samples);
     std::uint32_t next = 0;
@@ -250,8 +250,6 @@ TEST_CASE("surface samples: groups hold each sample once, within their balls") {
     }
     CHECK(next == samples->all().size());
     CHECK(samples->memory_bytes() >= next * sizeof(SurfaceSample));
-}
-TEST_CASE("surface samples: too few, too many, and a mesh of nothing but edges are refused") {
     CHECK_FALSE(SurfaceSamples::make(*make_box({1.0, 1.0, 1.0}), 15));
     CHECK_FALSE(SurfaceSamples::make(*make_box({1.0, 1.0, 1.0}), 100'001));
     std::vector<Vector3> corners;
