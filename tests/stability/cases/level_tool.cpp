@@ -11,10 +11,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace fulcrum::stability {
 namespace {

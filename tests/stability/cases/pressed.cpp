@@ -1,11 +1,3 @@
-// Bumpy balls and rings of 1 k to 100 k triangles: the hand slides 2 % of the radius deep at 4 radii a second, with and without
-// friction. Nothing snags, the proxy is at the nearest point, the force turns evenly.
-//
-// The nearest point is a matter of the mesh alone where it is one: the proxy stands on facets, and two facets at an angle share a
-// ridge over which it comes a little late, as it holds on to the first until its foot leaves it. So the place is asked for from inside,
-// where edges are concave and the nearest point is one, and in distance only from outside.
-// How evenly the force turns is told beyond what the mesh itself does: the widest angle between any two facets within two ticks' way
-// of the proxy is the surface's own; where it is smooth that is nothing, on a mesh of 1 k triangles it is some ten degrees.
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
 #include "haptics/point/make_proxy.h"
@@ -19,10 +11,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
+#include <string>
 
 namespace fulcrum::stability {
 namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr const char* kMeasured = "shots that got inside";
 
 constexpr double kDepth = 0.02;
 constexpr double kTube = 0.4;  // of the ring's radius of 1
@@ -128,8 +125,6 @@ double find_spread_rad(const CollisionMesh& mesh, const Vector3& centre_B, doubl
     }
     return widest;
 }
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double find_angle_deg(const Vector3& a, const Vector3& b) {
     return kDegrees * std::atan2(a.cross(b).norm(), a.dot(b));
@@ -250,5 +245,68 @@ const HardCase kShaded100k{
      "most that the shaded force turned in a tick more than the true surface", "degrees",
      [] { return find_shaded_turn(make_ball(71)); }}};
 
+// From twice as far out straight to the middle, in `n_ticks`: halving is exact, so the way leads through `p` itself. True
+// when the proxy is behind the surface then.
+bool leaks(const std::shared_ptr<const CollisionMesh>& mesh, const Vector3& p, int n_ticks) {
+    GodObject proxy(only_solid(mesh));
+    proxy.reset(2.0 * p);
+    for (int i = 1; i <= n_ticks; ++i) {
+        proxy.step(2.0 * p * (1.0 - static_cast<double>(i) / n_ticks), {});
+    }
+    const Vector3& place = proxy.contact().position_W;
+    return proxy.contact().solid == kNoBody ||
+           find_nearest_hit(*mesh, place, place + 2.0 * p).found();
+}
+
+struct Shots {
+    int n_leaks = 0;
+    int count = 0;
+    void shoot(const std::shared_ptr<const CollisionMesh>& mesh, const Vector3& p) {
+        // One tick from outside to the middle; four of which one ends in `p` itself.
+        for (const int n_ticks : {1, 4}) {
+            n_leaks += leaks(mesh, p, n_ticks) ? 1 : 0;
+            ++count;
+        }
+    }
+    [[nodiscard]] Finding finding() const {
+        return {static_cast<double>(n_leaks), 0.0, "of " + std::to_string(count) + " shots"};
+    }
+};
+
+// Every vertex, where five or six triangles meet.
+Finding shoot_at_vertices() {
+    const auto ball = make_sphere(1.0, 12);
+    const auto mesh = touchable(ball);
+    Shots shots;
+    for (const Vector3& vertex : ball->vertices_B()) {
+        shots.shoot(mesh, vertex);
+    }
+    return shots.finding();
+}
+
+// Eighths along the edges of a cube and the diagonals of its faces: numbers that a double holds exactly.
+Finding shoot_at_edges() {
+    const auto cube = make_box(Vector3::Ones());
+    const auto mesh = touchable(cube);
+    Shots shots;
+    for (const TriangleCorners& t : cube->triangles()) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector3& a = cube->vertices_B()[static_cast<std::size_t>(t[i])];
+            const Vector3& b = cube->vertices_B()[static_cast<std::size_t>(t[(i + 1) % 3])];
+            for (int eighth = 0; eighth < 8; ++eighth) {
+                shots.shoot(mesh, a + 0.125 * eighth * (b - a));
+            }
+        }
+    }
+    return shots.finding();
+}
+
+const HardCase kVertices{{"shots exactly at vertices", "at every vertex of a ball, fast and slow",
+                          kMeasured, "", shoot_at_vertices}};
+const HardCase kEdges{{"shots exactly at edges",
+                       "at places on the edges of a cube and the diagonals of its faces", kMeasured,
+                       "", shoot_at_edges}};
+
 }  // namespace
+
 }  // namespace fulcrum::stability

@@ -1,16 +1,24 @@
-// The closed loop of hand, arm and program: walls at the edge of the map, clocks that stumble, devices that lie, a hand
-// that lets go.
+#include "haptics/geometry/shape.h"
+#include "haptics/loop/haptic_loop.h"
 #include "tests/stability/cases/held_arm.h"
 #include "tests/stability/cases/stability_case.h"
+#include "tests/support/box_place.h"
+#include "tests/support/scripted_device.h"
+#include "tests/support/touchable.h"
+#include "tests/support/wall_press.h"
 #include "tests/support/wall_trial.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 
 namespace fulcrum::stability {
 namespace {
+
+constexpr const char* kMeasured = "force that pulls further in";
+constexpr double kDt_s = 0.001;
 
 double measure_swing(const HumanImpedance& human, double stiffness, double damping) {
     HapticPlan plan = make_floor_plan();
@@ -211,5 +219,140 @@ const HardCase kLetGoSpring{{"let go at full stretch of a spring",
                              "a handle that a spring draws with all the arm's force is let go",
                              "distance from the anchor along any axis", "m", let_go_on_a_spring}};
 
+constexpr double kTick_s = 1.0e-3;
+constexpr double kSpeed_m_per_s = 5.0;
+constexpr double kThickness_m = 1.0e-3;
+constexpr int kCrossings = 20;
+constexpr int kTicks = 60;         // there, and as many back
+constexpr int kTicksBetween = 20;  // at rest, for the force to fall
+
+// A loop that touches one plate of 1 mm by 1 m by 1 m.
+struct Touch {
+    static HapticPlan plan() {
+        HapticPlan plan;
+        plan.expects_lesson = false;
+        plan.expects_world = true;
+        plan.solids = only_solid(touchable(make_box(kSize_m)));
+        return plan;
+    }
+    // One round with the hand and the plate there; the last force, of the coupling and at the device.
+    void step(const Vector3& hand_W, const Vector3& plate_W) {
+        now_s += kTick_s;
+        device.pose_D.position = hand_W;
+        frame.stamp_s = now_s;
+        frame.solid_poses_W[0] = Pose::at(plate_W);
+        channels->world.publish(frame);
+        loop.step(now_s);
+    }
+
+    static inline const Vector3 kSize_m{1.0, kThickness_m, 1.0};
+    ScriptedDevice device;
+    std::unique_ptr<HapticChannels> channels = std::make_unique<HapticChannels>();
+    WorldFrame frame;
+    double now_s = 0.0;
+    HapticLoop loop{plan(), device, *channels};
+};
+
+// Hand (or plate) goes to and fro across the other; worst is the largest part of a force that pulls into the side touched.
+Finding cross(bool plate_moves) {
+    Touch touch;
+    const Vector3 side_W(0.03, 1.0, -0.02);
+    const Vector3 begin_W(0.0, 0.1, 0.0);
+    const auto step_to = [&](double way_m) {
+        const Vector3 hand_W = begin_W - way_m * side_W;
+        plate_moves ? touch.step(begin_W, way_m * side_W) : touch.step(hand_W, Vector3::Zero());
+        return Vector3(plate_moves ? begin_W - way_m * side_W : hand_W);
+    };
+    for (int i = 0; i < 3000; ++i) {
+        step_to(0.0);
+    }
+    double worst_N = 0.0;
+    double largest_N = 0.0;
+    int n_touching = 0;
+    for (int crossing = 0; crossing < kCrossings; ++crossing) {
+        BoxPlace place(Touch::kSize_m, begin_W);
+        for (int i = 1; i <= 2 * kTicks + kTicksBetween; ++i) {
+            const int there = std::max(0, std::min(i, 2 * kTicks - i));
+            // A little slower each time, so that it meets the plate elsewhere between two ticks.
+            const double speed = kSpeed_m_per_s * (1.0 - 0.013 * crossing);
+            place.step(step_to(speed * kTick_s * there));
+            for (const Wrench& wrench :
+                 {touch.loop.state().commanded_W, touch.loop.state().applied_W}) {
+                worst_N =
+                    worse(worst_N, place.is_touching() ? -wrench.force.dot(place.normal_B()) : 0.0);
+                largest_N = std::max(largest_N, wrench.force.norm());
+            }
+            n_touching += place.is_touching() ? 1 : 0;
+        }
+    }
+    const bool meant = n_touching > kCrossings * kTicks / 2 && largest_N > 1.0;
+    return {meant ? worst_N : HUGE_VAL, 0.0, "touched at " + std::to_string(n_touching) + " ticks"};
+}
+
+const HardCase kHand{{"the loop at a plate of 1 mm at 5 m/s",
+                      "the hand shoots through and comes back, 20 times", kMeasured, "N",
+                      [] { return cross(false); }}};
+const HardCase kPlate{{"the loop when a plate of 1 mm flies at 5 m/s",
+                       "the plate flies through a still hand and back, 20 times", kMeasured, "N",
+                       [] { return cross(true); }}};
+
+// Walls of 500 to 2000 N/m pressed by a 50 g handle in a grip of 0.2 Ns/m: less than k T / 2 of each.
+Finding press_undamped_walls() {
+    Finding finding{0.0, 0.01, {}};
+    for (const double stiffness_N_per_m : {500.0, 1000.0, 1500.0, 2000.0}) {
+        HapticPlan plan = wall_press::make_wall(stiffness_N_per_m, 0.0);
+        const auto shaking = wall_press::last_second(
+            wall_press::press(plan, wall_press::make_loose_grip(), {}), plan.rate_hz);
+        // Nothing felt is no wall that stands still.
+        finding.take(shaking.mean_N > 0.5 ? shaking.force_N : HUGE_VAL,
+                     describe("at %.0f N/m", stiffness_N_per_m));
+    }
+    return finding;
+}
+
+// At each answer the spring's anchor leaps to the side that the hand is moving to: the most that a lesson can feed in through it.
+Finding swing_with_hand() {
+    constexpr double kTenSeconds = 10.0;
+    HapticPlan plan;
+    FieldPlan spring;
+    spring.stiffness_N_per_m = 100.0;
+    plan.fields = {spring};
+    LatestValue<HandTarget> target;
+    target.publish({});
+    SimulatedHand hand(SimulatedHandSettings{}, target);
+    const auto channels = std::make_unique<HapticChannels>();
+    HapticLoop loop(plan, hand, *channels);
+    ForceCommand command;
+    command.lesson_alive = true;
+    double given_J = 0.0;
+    Vector3 last_W = Vector3::Zero();
+    Vector3 held_W = Vector3::Zero();
+    for (int k = 1; k <= 13000; ++k) {
+        if (k > 2500 && k % 17 == 0) {
+            const bool goes_on = loop.state().tool_twist_W.linear.x() >= 0.0;
+            command.fields[0].anchor_W.x() = goes_on ? 0.1 : -0.1;
+        }
+        command.stamp_s = k * kDt_s;
+        channels->command.publish(command);
+        loop.step(k * kDt_s);
+        const Vector3& now_W = loop.state().tool_pose_W.position;
+        given_J += k > 3000 ? held_W.dot(now_W - last_W) : 0.0;
+        last_W = now_W;
+        held_W = loop.state().applied_W.force;
+    }
+    // The force limit and the arm's own damping bound it; it was 0.82 W when this was written.
+    const double power_W = given_J / kTenSeconds;
+    return {power_W > 0.0 ? power_W : HUGE_VAL, 1.0, "5 N at most, on the usual arm"};
+}
+
+const HardCase kWalls{{"walls without a damper in a loose grip",
+                       "the passivity stage keeps them from buzzing at 1 kHz",
+                       "force's root mean square about its mean, last second", "N",
+                       press_undamped_walls}};
+const HardCase kSwing{{"a lesson that swings its spring with the hand",
+                       "at 60 Hz the anchor leaps to where the hand is going",
+                       "power into the hand", "W", swing_with_hand}};
+
 }  // namespace
+
 }  // namespace fulcrum::stability
