@@ -1,6 +1,6 @@
-#include "runtime/lua/sandbox/script_error.h"
 #include "runtime/lua/sandbox/script_state.h"
 
+#include "runtime/lua/sandbox/script_error.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 
 #include <catch2/catch.hpp>
