@@ -1,21 +1,12 @@
 // A text from anyone is checked: its errors lie in order within it, and what lies between them is kept.
 #include "dialogue/checking/checker.h"
+#include "tests/fuzz/promise.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <memory>
-#include <string_view>
 
 using namespace fulcrum::dialogue;
 
 namespace {
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 /// Finds most sentences wrong, and more so those of more bytes, so that whatever is proposed is tried.
 class AnyJudge final : public SentenceJudge {

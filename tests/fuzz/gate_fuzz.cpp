@@ -2,11 +2,7 @@
 // are the settings, then a byte of state and a scale stand before each block of samples.
 #include "dialogue/speech/word_graph.h"
 #include "runtime/hearing/utterance_gate.h"
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
+#include "tests/fuzz/promise.h"
 
 namespace {
 
@@ -14,12 +10,6 @@ using namespace fulcrum::runtime;
 
 constexpr std::size_t kSettings = 4;
 constexpr std::size_t kBytesABlock = 18;  // state, scale and eight samples that are repeated
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 GateSettings settings_of(const std::uint8_t* data) {
     GateSettings settings;

@@ -1,20 +1,9 @@
 // Any bytes at all as a model: loaded or refused, never a crash, a leak or a promise broken.
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <span>
+#include "tests/fuzz/promise.h"
 
 namespace {
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 void check_primitive(const fulcrum::runtime::ModelPrimitive& primitive, std::size_t n_images) {
     const std::size_t n = primitive.positions.size() / 3;

@@ -1,21 +1,10 @@
 // Any line at all from a program that hears, or to one: read or refused in one sentence, and what was read is written as it is read again.
 #include "dialogue/speech/external/hearing_lines.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string>
-#include <string_view>
+#include "tests/fuzz/promise.h"
 
 namespace {
 
 using namespace fulcrum::dialogue;
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 void check(const HearingAnswer& answer) {
     if (const auto* const heard = std::get_if<HeardLine>(&answer)) {

@@ -6,24 +6,12 @@
 #include "haptics/device/hid/hid_ability.h"
 #include "haptics/device/hid/report_bits.h"
 #include "haptics/device/hid/space_mouse.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <span>
+#include "tests/fuzz/promise.h"
 
 namespace {
 
 using namespace fulcrum::hid;
 using Input = std::span<const std::uint8_t>;
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 Input take(Input& rest, std::size_t n) {
     const Input taken = rest.first(std::min(n, rest.size()));

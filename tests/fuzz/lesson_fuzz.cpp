@@ -1,20 +1,10 @@
 // Any bytes as the text of a lesson: loaded and played for two frames in this process, with all limits and a short budget.
 #include "runtime/lua/host/lesson_host.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
+#include "tests/fuzz/promise.h"
 
 namespace {
 
 using namespace fulcrum::runtime;
-
-/// Whatever a lesson sends must pass the program's own checks.
-void must_pass(bool passes) {
-    if (!passes) {
-        std::abort();
-    }
-}
 
 LoadMessage make_message(const std::uint8_t* data, std::size_t size) {
     LoadMessage message;
@@ -30,7 +20,8 @@ void play(LessonHost& host) {
     encode(host.description(), bytes);
     constexpr std::size_t kHead = 5;
     const auto description = decode_description(std::span(bytes).subspan(kHead));
-    must_pass(description.has_value());
+    // Whatever a lesson sends must pass the program's own checks.
+    require(description.has_value());
     LessonFrame frame;
     frame.dt_s = 1.0 / 60.0;
     frame.bodies.resize(description->bodies.size());
@@ -45,7 +36,7 @@ void play(LessonHost& host) {
         }
         bytes.clear();
         encode(reply, bytes);
-        must_pass(decode_reply(std::span(bytes).subspan(kHead), *description).has_value());
+        require(decode_reply(std::span(bytes).subspan(kHead), *description).has_value());
         frame.time_s += frame.dt_s;
     }
 }

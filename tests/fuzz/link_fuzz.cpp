@@ -2,23 +2,13 @@
 // arm's force stays within its limits and a pose that is handed on is a pose. The bytes are cut into packets by lengths in front; each
 // is tried as it is and, with its first bytes, checksum and tag put right, as of somebody who has the key.
 #include "haptics/base/crc32.h"
+#include "tests/fuzz/promise.h"
 #include "tests/support/link.h"
 #include "tests/support/scripted_device.h"
-
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <span>
 
 namespace {
 
 using namespace fulcrum;
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 // The packet that somebody with the key would make of these bytes; of the size of its kind.
 std::vector<std::byte> put_right(std::span<const std::byte> bytes, const Seal& seal,

@@ -1,20 +1,6 @@
 // Any bytes at all as a picture to be felt: read or refused, never a crash, a leak or a number out of range.
 #include "runtime/scene/picture/grey_picture.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <span>
-
-namespace {
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
-
-}  // namespace
+#include "tests/fuzz/promise.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto picture = fulcrum::runtime::read_grey_picture(std::as_bytes(std::span(data, size)));

@@ -3,15 +3,9 @@
 #include "haptics/base/crc32.h"
 #include "haptics/record/record.h"
 #include "haptics/record/record_writer.h"
+#include "tests/fuzz/promise.h"
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <span>
-#include <string>
-#include <vector>
 
 namespace {
 
@@ -20,12 +14,6 @@ using Bytes = std::vector<std::byte>;
 constexpr std::size_t kBlockHeadBytes = 16;   // mark, kind, length, checksum
 constexpr std::size_t kLeastEventBytes = 20;  // without a text
 constexpr std::size_t kHeadLengthAt = 12;     // where a header tells its own length
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 void require_one_sentence(const fulcrum::Error& error) {
     require(!error.message.empty() && to_sentence(error).find('\n') == std::string::npos);

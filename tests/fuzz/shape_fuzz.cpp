@@ -5,11 +5,8 @@
 #include "haptics/levels/level_pairs.h"
 #include "haptics/voxel/distance_field_batch.h"
 #include "haptics/voxel/shape_bytes.h"
+#include "tests/fuzz/promise.h"
 
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
 #include <cstring>
 
 namespace {
@@ -19,12 +16,6 @@ using fulcrum::Digest;
 using fulcrum::Vector3;
 
 constexpr std::size_t kKeyAt = 16;
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 template <class Shape>
 bool accept(const fulcrum::Expected<Shape>& shape, const Bytes& bytes, const Digest& key) {

@@ -2,26 +2,15 @@
 // words by rule is pronounced or not, without harm.
 #include "dialogue/speech/sound_dictionary.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
+#include "tests/fuzz/promise.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <optional>
-#include <string>
-#include <string_view>
 
 namespace {
 
 using namespace fulcrum::dialogue;
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
 
 bool is_plain(std::string_view text) {
     return std::none_of(text.begin(), text.end(), [](char letter) {

@@ -3,22 +3,11 @@
 #include "dialogue/catalogue.h"
 #include "dialogue/marking/mark.h"
 #include "dialogue/template/matcher.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string>
-#include <string_view>
+#include "tests/fuzz/promise.h"
 
 using namespace fulcrum::dialogue;
 
 namespace {
-
-void require(bool holds) {
-    if (!holds) {
-        std::abort();
-    }
-}
 
 QuestionSource source_of(std::string_view text) {
     QuestionSource source;

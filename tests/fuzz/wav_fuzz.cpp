@@ -1,24 +1,7 @@
 // Any bytes at all as a WAV file: heard or refused, never a crash, a leak or a number out of range.
 #include "runtime/audio/resample.h"
 #include "runtime/audio/wav.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <span>
-#include <string_view>
-
-namespace {
-
-void require(bool promise) {
-    if (!promise) {
-        std::abort();
-    }
-}
-
-}  // namespace
+#include "tests/fuzz/promise.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto bytes = std::as_bytes(std::span(data, size));

@@ -1,10 +1,7 @@
 // Any bytes as what a lesson's process sends. What is taken must be within all limits, and pass again when it is sent on.
 #include "runtime/lua/wire/wire.h"
+#include "tests/fuzz/promise.h"
 #include "tests/support/wire_messages.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 
 namespace {
 
@@ -16,9 +13,7 @@ template <class Message, class Decode>
 void must_pass_again(const Message& message, Decode decode) {
     Bytes bytes;
     encode(message, bytes);
-    if (!decode(std::span<const std::uint8_t>(bytes).subspan(kHead))) {
-        std::abort();
-    }
+    require(decode(std::span<const std::uint8_t>(bytes).subspan(kHead)).has_value());
 }
 
 }  // namespace

@@ -1,11 +1,6 @@
 // Small lessons of one effect each: what is felt is what the law says.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -14,15 +9,11 @@ constexpr const char* kTool = FULCRUM_TEST_LESSONS "/tool";
 constexpr const char* kForces = FULCRUM_TEST_LESSONS "/forces";
 }  // namespace
 
-TEST_CASE(
-    "touch: a ball pressed from above pushes back along its normal, by stiffness times depth") {
+TEST_CASE("touch: a ball pressed from above pushes back along its normal, stiffness times depth") {
     const Sandbox sandbox;
-    const ProgramRun run = sandbox.run(std::string("run ") + kTouch + " --headless --hand " +
-                                       kTouch + "/press.lua --seconds 6 --record r.rec");
-    INFO(run.output);
-    REQUIRE(run.exit_code == 0);
-    CHECK(run.output.find("touched ball") != std::string::npos);
-    CHECK(run.output.find("released ball") != std::string::npos);
+    check_run(sandbox.run(std::string("run ") + kTouch + " --headless --hand " + kTouch +
+                          "/press.lua --seconds 6 --record r.rec"),
+              0, {"touched ball", "released ball"});
     const Record record = read_run(sandbox.path("r.rec"));
     // Held still at 3.5 s: the hand (300 N/m) and the ball (500 N/m) share 15 mm: F = 0.015 / (1/300 + 1/500).
     // The mesh is flat between its corners by at most 0.1 mm, worth 0.02 N here.
@@ -36,12 +27,8 @@ TEST_CASE(
 
 TEST_CASE("touch: explain shows the proxy with the line that asked for it, and no world") {
     const Sandbox sandbox;
-    const ProgramRun run = sandbox.run(std::string("explain ") + kTouch);
-    INFO(run.output);
-    CHECK(run.output.find("proxy") != std::string::npos);
-    CHECK(run.output.find("lesson.lua:6") != std::string::npos);
-    CHECK(run.output.find("forces: weight") == std::string::npos);
-    CHECK(run.output.find("falling bodies") == std::string::npos);
+    check_run(sandbox.run(std::string("explain ") + kTouch), {}, {"proxy", "lesson.lua:6"},
+              {"forces: weight", "falling bodies"});
 }
 
 TEST_CASE("tool: a stick lies flat on a table with force, and turned there with torque") {
@@ -49,8 +36,7 @@ TEST_CASE("tool: a stick lies flat on a table with force, and turned there with 
     const ProgramRun run = sandbox.run(std::string("run ") + kTool + " --headless --hand " + kTool +
                                        "/turn.lua --seconds 7 --record r.rec");
     INFO(run.output);
-    REQUIRE(run.exit_code == 0);
-    CHECK(run.output.find("touched table") != std::string::npos);
+    check_run(run, 0, {"touched table"});
     const Record record = read_run(sandbox.path("r.rec"));
     CHECK(sample_at(record, 0.4).applied_W.force.norm() < 1e-9);
     // Flat at 3.8 s: hand (300 N/m) and coupling (500 N/m) share the 10 mm that the stick's half width is too high by, and the
@@ -68,13 +54,11 @@ TEST_CASE("tool: a stick lies flat on a table with force, and turned there with 
     CHECK(run.output.find("turned 8") != std::string::npos);
 }
 
-TEST_CASE(
-    "forces: a force that the lesson computes is felt as its law says, between its answers too") {
+TEST_CASE("forces: a force the lesson computes is felt as its law says, between its answers too") {
     const Sandbox sandbox;
-    const ProgramRun run = sandbox.run(std::string("run ") + kForces + " --headless --hand " +
-                                       kForces + "/away.lua --seconds 6 --record r.rec");
-    INFO(run.output);
-    REQUIRE(run.exit_code == 0);
+    check_run(sandbox.run(std::string("run ") + kForces + " --headless --hand " + kForces +
+                          "/away.lua --seconds 6 --record r.rec"),
+              0);
     const Record record = read_run(sandbox.path("r.rec"));
     // At rest: the hand's spring (300 N/m) against the lesson's (50 N/m) over 4 cm.
     const RecordSample& held = sample_at(record, 5.5);
@@ -116,13 +100,8 @@ TEST_CASE("lessons: those that README and docs/teach.md begin with run as they s
         INFO(page);
         const Sandbox sandbox;
         sandbox.write("stone/lesson.lua", lesson_shown(page, "stone"));
-        const ProgramRun check = sandbox.run("check stone");
-        INFO(check.output);
-        CHECK(check.exit_code == 0);
-        const ProgramRun run = sandbox.run("run stone --headless");
-        INFO(run.output);
-        CHECK(run.exit_code == 0);
-        CHECK(run.output.find("stone: finished") != std::string::npos);
+        check_run(sandbox.run("check stone"), 0);
+        check_run(sandbox.run("run stone --headless"), 0, {"stone: finished"});
     }
     const std::string shown = lesson_shown("README.md", "stone");
     CHECK(std::count(shown.begin(), shown.end(), '\n') == 10);
@@ -134,14 +113,10 @@ TEST_CASE("lessons: the one with a question in docs/teach.md has no mistakes and
     const ProgramRun check = sandbox.run("check heavier");
     INFO(check.output);
     CHECK(check.output == "heavier: no mistakes found.\n");
-    const ProgramRun test = sandbox.run("test heavier");
-    INFO(test.output);
-    CHECK(test.exit_code == 0);
+    check_run(sandbox.run("test heavier"), 0);
 }
 
-TEST_CASE(
-    "explain --analyze: every haptic stage of the plan is called in every round, others are not "
-    "there") {
+TEST_CASE("explain --analyze: each haptic stage of the plan is called in each round, no other") {
     const Sandbox sandbox;
     const ProgramRun run =
         sandbox.run(std::string("explain ") + kTouch + " --analyze --headless --seconds 4 --hand " +
@@ -163,16 +138,11 @@ TEST_CASE(
     CHECK(run.output.find("touched ball") == std::string::npos);
 }
 
-TEST_CASE(
-    "explain: what belongs to a play is refused without one, and a hand that rests is told of") {
+TEST_CASE("explain: what belongs to a play is refused without one; a hand that rests is told of") {
     const Sandbox sandbox;
-    const ProgramRun refused = sandbox.run(std::string("explain ") + kTouch + " --seconds 3");
-    CHECK(refused.exit_code == 2);
-    CHECK(refused.output.find("add --analyze") != std::string::npos);
-    const ProgramRun still =
-        sandbox.run(std::string("explain ") + kTouch + " --analyze --headless --seconds 1");
-    CHECK(still.exit_code == 0);
-    CHECK(still.output.find("The hand stayed where it was") != std::string::npos);
+    check_run(sandbox.run(std::string("explain ") + kTouch + " --seconds 3"), 2, {"add --analyze"});
+    check_run(sandbox.run(std::string("explain ") + kTouch + " --analyze --headless --seconds 1"),
+              0, {"The hand stayed where it was"});
     const ProgramRun full = sandbox.run(std::string("explain ") + kTouch + " --json > /dev/full");
     CHECK(full.exit_code == 2);
 }
@@ -185,8 +155,7 @@ TEST_CASE("explain --json: one object, with the figures when it was played") {
     INFO(run.output);
     REQUIRE(run.exit_code == 0);
     CHECK(run.output.front() == '{');
-    CHECK(run.output.find("\"stage\": \"forces: lesson\"") != std::string::npos);
-    CHECK(run.output.find("\"calls\": 1000") != std::string::npos);
+    check_says(run.output, {"\"stage\": \"forces: lesson\"", "\"calls\": 1000"});
 }
 
 namespace {
@@ -224,8 +193,7 @@ TEST_CASE("solids: bodies of one model share its mesh, and those of one material
     CHECK(static_cast<double>(memory_of(sandbox, "forces: texture", same)) < 1.2 * relief);
 }
 
-TEST_CASE(
-    "tool: a flat face pressed on a box is felt alike by either method and with many points") {
+TEST_CASE("tool: a flat face pressed on a box is felt alike by either method, with many points") {
     const Sandbox sandbox;
     sandbox.write("press.lua",
                   "local motion = require 'motion'\n"

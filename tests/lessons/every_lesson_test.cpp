@@ -1,11 +1,6 @@
 // What holds for every lesson that comes with the program.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 namespace fs = std::filesystem;
 
@@ -63,9 +58,8 @@ TEST_CASE("every lesson: who plays at a desk gives the same bytes twice, and fee
         REQUIRE(sandbox.run(play + "b.rec").exit_code == 0);
         CHECK(bytes_of(sandbox.path("a.rec")) == bytes_of(sandbox.path("b.rec")));
     }
-    const ProgramRun odd = sandbox.run("run gravity --headless --hand replay:a.rec --by mouse");
-    CHECK(odd.exit_code == 2);
-    CHECK(odd.output.find("--by says how a simulated hand plays") != std::string::npos);
+    check_run(sandbox.run("run gravity --headless --hand replay:a.rec --by mouse"), 2,
+              {"--by says how a simulated hand plays"});
 }
 
 TEST_CASE("every lesson: the same input twice gives the same bytes, and nothing passes the limit") {

@@ -3,18 +3,9 @@
 #include "haptics/device/replay/recorded_traits.h"
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <string>
 
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -30,12 +21,9 @@ void check_repeats(const Sandbox& sandbox, const std::string& lesson, const std:
     REQUIRE(run.exit_code == 0);
     const Record record = read_run(sandbox.path("a.rec"));
     CHECK(largest_force_N(record) > 0.1);
-    const ProgramRun again = sandbox.run("run " + lesson + " --headless --hand replay:a.rec");
-    INFO(again.output);
-    CHECK(again.exit_code == 0);
-    CHECK(again.output.find("All forces are the record's, bit for bit, in " +
-                            std::to_string(record.samples.size()) + " rounds.") !=
-          std::string::npos);
+    check_run(sandbox.run("run " + lesson + " --headless --hand replay:a.rec"), 0,
+              {"All forces are the record's, bit for bit, in " +
+               std::to_string(record.samples.size()) + " rounds."});
 }
 
 // The first round of which the share of an effect is not the same, found without the program.
@@ -48,25 +36,15 @@ std::size_t first_other_share(const Record& a, const Record& b, std::size_t effe
     return a.samples.size();
 }
 
-std::string text_of(const std::string& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
-TEST_CASE(
-    "evidence: weight, textures, a kite, a lever, blocks and a maze with its keys repeat to the "
-    "bit") {
+TEST_CASE("evidence: weight, textures, kite, lever, blocks and maze with its keys repeat bitwise") {
     const Sandbox sandbox;
     check_repeats(sandbox, "gravity", "12");
     // Its header, and not a round.
     sandbox.write("cut.rec", bytes_of(sandbox.path("a.rec")).substr(0, 5000));
-    const ProgramRun cut = sandbox.run("run gravity --headless --hand replay:cut.rec");
-    INFO(cut.output);
-    CHECK(cut.exit_code == 1);
-    CHECK(cut.output.find("the record holds no round of the hand: the record is cut off") !=
-          std::string::npos);
+    check_run(sandbox.run("run gravity --headless --hand replay:cut.rec"), 1,
+              {"the record holds no round of the hand: the record is cut off"});
     check_repeats(sandbox, "textures", "6");
     check_repeats(sandbox, "kite", "4");
     check_repeats(sandbox, "lever", "5");
@@ -89,8 +67,7 @@ TEST_CASE("evidence: a tool with force and torque repeats to the bit") {
     }));
 }
 
-TEST_CASE(
-    "evidence: a run is repeated with the ladder of feedback that it had, whoever repeats it") {
+TEST_CASE("evidence: a run is repeated with the ladder of feedback it had, whoever repeats it") {
     const Sandbox sandbox;
     const auto ladder_of = [&](const std::string& arguments) {
         const std::string command =
@@ -163,7 +140,7 @@ TEST_CASE("evidence: another mass is told at the round and the effect where it i
     std::filesystem::copy(FULCRUM_SCENARIOS "/gravity", sandbox.path("mine"),
                           std::filesystem::copy_options::recursive);
     REQUIRE(sandbox.run("run mine --headless --seconds 8 --record a.rec").exit_code == 0);
-    std::string text = text_of(sandbox.path("mine/lesson.lua"));
+    std::string text = bytes_of(sandbox.path("mine/lesson.lua"));
     const std::string mass = "mass = 0.2039";
     REQUIRE(text.find(mass) != std::string::npos);
     text.replace(text.find(mass), mass.size(), "mass = 0.2040");
@@ -175,31 +152,21 @@ TEST_CASE("evidence: another mass is told at the round and the effect where it i
     const Record b = read_run(sandbox.path("b.rec"));
     const std::size_t first = first_other_share(a, b, 0);
     REQUIRE(first < a.samples.size());
-    CHECK(run.output.find("(round " + std::to_string(a.samples[first].tick) +
-                          ") the share of weight is the first thing that differs") !=
-          std::string::npos);
-    CHECK(run.output.find("Likely why: the lesson's files have changed (lesson.lua).") !=
-          std::string::npos);
+    check_says(run.output, {"(round " + std::to_string(a.samples[first].tick) +
+                                ") the share of weight is the first thing that differs",
+                            "Likely why: the lesson's files have changed (lesson.lua)."});
 }
 
 TEST_CASE("evidence: another seed, another limit and another lesson are told for what they are") {
     const Sandbox sandbox;
     REQUIRE(sandbox.run("run maze-park --headless --seconds 6 --record a.rec").exit_code == 0);
-    const ProgramRun seed = sandbox.run("run maze-park --headless --seed 9 --hand replay:a.rec");
-    INFO(seed.output);
-    CHECK(seed.exit_code == 3);
-    CHECK(seed.output.find("options differ (seed is 9 and was 1)") != std::string::npos);
+    check_run(sandbox.run("run maze-park --headless --seed 9 --hand replay:a.rec"), 3,
+              {"options differ (seed is 9 and was 1)"});
     REQUIRE(sandbox.run("run gravity --headless --seconds 8 --record b.rec").exit_code == 0);
-    const ProgramRun limit =
-        sandbox.run("run gravity --headless --force-limit 2 --hand replay:b.rec");
-    INFO(limit.output);
-    CHECK(limit.exit_code == 3);
-    CHECK(limit.output.find("limits differ (site N is 2 and was 5") != std::string::npos);
-    const ProgramRun other = sandbox.run("run gravity --headless --seconds 1 --hand replay:a.rec");
-    INFO(other.output);
-    CHECK(other.exit_code == 0);
-    CHECK(other.output.find("of the lesson \"maze-park\", so its forces are not compared") !=
-          std::string::npos);
+    check_run(sandbox.run("run gravity --headless --force-limit 2 --hand replay:b.rec"), 3,
+              {"limits differ (site N is 2 and was 5"});
+    check_run(sandbox.run("run gravity --headless --seconds 1 --hand replay:a.rec"), 0,
+              {"of the lesson \"maze-park\", so its forces are not compared"});
 }
 
 TEST_CASE("evidence: explain --force --json of a record of two hands is one document") {
@@ -229,13 +196,9 @@ TEST_CASE("evidence: explain --force accounts for a force, export writes it to t
     // The most that was felt is a weight.
     const auto strongest = std::ranges::max_element(
         record.samples, {}, [](const auto& sample) { return sample.applied_W.force.norm(); });
-    const ProgramRun told =
-        sandbox.run("explain --force " + std::to_string(strongest->time_s + 0.0001) + " a.rec");
-    INFO(told.output);
-    CHECK(told.exit_code == 0);
-    CHECK(told.output.find("(round " + std::to_string(strongest->tick) + ")") != std::string::npos);
-    CHECK(told.output.find("N down") != std::string::npos);
-    CHECK(told.output.find("weight") != std::string::npos);
+    check_run(
+        sandbox.run("explain --force " + std::to_string(strongest->time_s + 0.0001) + " a.rec"), 0,
+        {"(round " + std::to_string(strongest->tick) + ")", "N down", "weight"});
     const auto json =
         nlohmann::json::parse(sandbox.run("explain a.rec --force 3 --json").output, nullptr, false);
     REQUIRE_FALSE(json.is_discarded());
@@ -249,14 +212,12 @@ TEST_CASE("evidence: explain --force accounts for a force, export writes it to t
     CHECK(sandbox.run("explain --force 1 --analyze a.rec").exit_code == 2);
     CHECK(sandbox.run("explain --force 1 nowhere.rec").exit_code == 2);
 
-    const ProgramRun written = sandbox.run("export a.rec");
-    INFO(written.output);
-    CHECK(written.exit_code == 0);
-    const std::string rows = text_of(sandbox.path("a.csv"));
+    check_run(sandbox.run("export a.rec"), 0);
+    const std::string rows = bytes_of(sandbox.path("a.csv"));
     CHECK(static_cast<std::size_t>(std::ranges::count(rows, '\n')) == record.samples.size() + 1);
-    CHECK(text_of(sandbox.path("a.facts.csv")).find("option.seed,1") != std::string::npos);
-    CHECK(text_of(sandbox.path("a.events.csv")).find(",gate,,rising") != std::string::npos);
-    CHECK(text_of(sandbox.path("a.bodies.csv")).find(",held,") != std::string::npos);
+    CHECK(bytes_of(sandbox.path("a.facts.csv")).find("option.seed,1") != std::string::npos);
+    CHECK(bytes_of(sandbox.path("a.events.csv")).find(",gate,,rising") != std::string::npos);
+    CHECK(bytes_of(sandbox.path("a.bodies.csv")).find(",held,") != std::string::npos);
     sandbox.write("bad.rec", "no record");
     const ProgramRun bad = sandbox.run("export bad.rec");
     CHECK(bad.exit_code == 2);

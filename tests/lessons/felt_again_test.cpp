@@ -1,12 +1,6 @@
 // Where a lesson has a contrast that can be felt, an error of form in the answer about it lets the hand feel it once more: "replay".
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <cstdlib>
-#include <sstream>
-#include <string>
-
 using namespace fulcrum::test;
 
 namespace {

@@ -1,12 +1,6 @@
 // The gravity game, played to its end by its own simulated hand and pupil.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <sstream>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -75,9 +69,7 @@ TEST_CASE("gravity: a weight arrives softly, without a jolt") {
     CHECK(before_N == Approx(weight_N).margin(kWeightTolerance_N));
 }
 
-TEST_CASE(
-    "gravity: a wrong meaning is weighed again, a wrong form is recast, and the report tells the "
-    "teacher") {
+TEST_CASE("gravity: a wrong meaning is weighed again, a wrong form recast, the teacher told") {
     const Sandbox sandbox;
     sandbox.write("say.txt",
                   "the egg is heavier than the apple\n"  // wrong meaning: weighed again
@@ -110,10 +102,7 @@ TEST_CASE(
 
     const ProgramRun report = sandbox.run("report --learner Mina");
     INFO(report.output);
-    CHECK(report.exit_code == 0);
-    CHECK(report.output.find("Mina") != std::string::npos);
-    CHECK(report.output.find("\"most heavy\" for \"heaviest\"") != std::string::npos);
-    CHECK(report.output.find("left out \"the\"") != std::string::npos);
+    check_run(report, 0, {"Mina", "\"most heavy\" for \"heaviest\"", "left out \"the\""});
     const ProgramRun csv = sandbox.run("report --format csv");
     CHECK(csv.output.find("Mina,") != std::string::npos);
 }
@@ -130,19 +119,14 @@ TEST_CASE("gravity: a slip of form made again and again holds nobody back") {
     INFO(run.output);
     CHECK(run.exit_code == 0);
     // Nine catches, and three points for each of the four right answers.
-    CHECK(run.output.find("finished") != std::string::npos);
-    CHECK(run.output.find("score 21, 3 of 3 stars, 4 answers") != std::string::npos);
+    check_says(run.output, {"finished", "score 21, 3 of 3 stars, 4 answers"});
 }
 
-TEST_CASE(
-    "gravity: a hand that never goes under the fruit catches nothing, and the run ends where it "
-    "was told to") {
+TEST_CASE("gravity: a hand never under the fruit catches nothing, and the run ends as told") {
     const Sandbox sandbox;
     sandbox.write("still.lua", "return function(hand, t, world) return 0.9, 0.3, 0 end\n");
-    const ProgramRun run =
-        sandbox.run("run gravity --headless --hand still.lua --seconds 20 --record r.rec");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
+    check_run(sandbox.run("run gravity --headless --hand still.lua --seconds 20 --record r.rec"),
+              0);
     const Record record = read_run(sandbox.path("r.rec"));
     CHECK(time_of(record, RecordEventKind::landed, apple) > 0.0);
     for (const RecordSample& sample : record.samples) {
@@ -153,10 +137,8 @@ TEST_CASE(
 TEST_CASE("gravity: a recorded hand plays the same game again") {
     const Sandbox sandbox;
     REQUIRE(sandbox.run("run gravity --headless --seconds 20 --record a.rec").exit_code == 0);
-    const ProgramRun run =
-        sandbox.run("run gravity --headless --seconds 20 --hand replay:a.rec --record b.rec");
-    INFO(run.output);
-    REQUIRE(run.exit_code == 0);
+    check_run(sandbox.run("run gravity --headless --seconds 20 --hand replay:a.rec --record b.rec"),
+              0);
     const Record first = read_run(sandbox.path("a.rec"));
     const Record again = read_run(sandbox.path("b.rec"));
     REQUIRE(first.samples.size() == again.samples.size());
@@ -169,9 +151,7 @@ TEST_CASE("gravity: explain lists what runs and nothing else") {
     const Sandbox sandbox;
     const ProgramRun run = sandbox.run("explain gravity --mute");
     INFO(run.output);
-    REQUIRE(run.exit_code == 0);
-    CHECK(run.output.find("forces: weight") != std::string::npos);
-    CHECK(run.output.find("lesson.lua:") != std::string::npos);
+    check_run(run, 0, {"forces: weight", "lesson.lua:"});
     // Every planned stage of the haptic loop was built: only what was built has a size.
     std::istringstream rows(run.output);
     int haptic_rows = 0;
@@ -182,8 +162,5 @@ TEST_CASE("gravity: explain lists what runs and nothing else") {
         }
     }
     CHECK(haptic_rows == 8);
-    for (const char* absent : {"proxy", "sound", "recogniser", "forces: lesson", "record"}) {
-        CAPTURE(absent);
-        CHECK(run.output.find(absent) == std::string::npos);
-    }
+    check_lacks(run.output, {"proxy", "sound", "recogniser", "forces: lesson", "record"});
 }

@@ -1,12 +1,6 @@
 // The lesson on the kite, played to its end by its own simulated hand; and kites of a teacher's own.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <string>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -43,26 +37,17 @@ TEST_CASE("kite: the kite is built as it is said, and its flight decides") {
                   "the lift is stronger than the drag\n"
                   "it pulls more\n"
                   "because there is no wind\n");
-    const ProgramRun run = sandbox.run("run kite --headless --say say.txt");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("2 of 3 stars") != std::string::npos);
-    for (const char* line :
-         {"level    1: Build a kite", "It came down.", "It flies!", "learner  the weight (wrong)",
-          "learner  because there is no wind (right)"}) {
-        CHECK_THAT(run.output, Catch::Contains(line));
-    }
+    check_run(sandbox.run("run kite --headless --say say.txt"), 0,
+              {"2 of 3 stars", "level    1: Build a kite", "It came down.", "It flies!",
+               "learner  the weight (wrong)", "learner  because there is no wind (right)"});
 }
 
 TEST_CASE("kite: what cannot be changed is told, and who is not understood gets a tail") {
     const Sandbox sandbox;
     sandbox.write("say.txt", "make the tail shorter\nbanana\nhelp\nhelp\nhelp\nhelp\nhelp\nhelp\n");
-    const ProgramRun run = sandbox.run("run kite --headless --say say.txt --seconds 60");
-    INFO(run.output);
-    for (const char* line : {"learner  make the tail shorter (wrong)", "It has no tail yet.",
-                             "Let's try a tail.", "It flies!"}) {
-        CHECK_THAT(run.output, Catch::Contains(line));
-    }
+    check_run(sandbox.run("run kite --headless --say say.txt --seconds 60"), {},
+              {"learner  make the tail shorter (wrong)", "It has no tail yet.", "Let's try a tail.",
+               "It flies!"});
 }
 
 TEST_CASE("kite: a hand that shakes, swings and lets line out all the time turns no answer") {
@@ -80,11 +65,8 @@ TEST_CASE("kite: a hand that shakes, swings and lets line out all the time turns
           "math.sin(t), 1"}) {
         sandbox.write("shake.lua",
                       std::string("return function(hand, t) return ") + hand + " end\n");
-        const ProgramRun run = sandbox.run("run kite --headless --say say.txt --hand shake.lua");
-        INFO(run.output);
-        CHECK(run.exit_code == 0);
-        CHECK_THAT(run.output, Catch::Contains("the lift was smaller than the weight (right)"));
-        CHECK(run.output.find("(wrong)") == std::string::npos);
+        check_run(sandbox.run("run kite --headless --say say.txt --hand shake.lua"), 0,
+                  {"the lift was smaller than the weight (right)"}, {"(wrong)"});
     }
 }
 
@@ -103,23 +85,18 @@ TEST_CASE("kite: only a lesson with a kite has its stages") {
 
 TEST_CASE("kite: a kite of a teacher's own flies, snaps, and comes down without wind") {
     const Sandbox sandbox;
-    const ProgramRun flown =
-        fly(sandbox, "kite = world:kite { shape = 'sled', knot = 0.72, line = 15 }",
-            "if t > 20 and t - dt <= 20 then print(kite.altitude > 8, kite.tension > 1, "
-            "kite.lift > kite.weight) end");
-    INFO(flown.output);
-    CHECK_THAT(flown.output, Catch::Contains("true\ttrue\ttrue"));
-    const ProgramRun snapped =
+    check_run(fly(sandbox, "kite = world:kite { shape = 'sled', knot = 0.72, line = 15 }",
+                  "if t > 20 and t - dt <= 20 then print(kite.altitude > 8, kite.tension > 1, "
+                  "kite.lift > kite.weight) end"),
+              {}, {"true\ttrue\ttrue"});
+    check_run(
         fly(sandbox, "world:wind { speed = 9 } kite = world:kite { strength = 2, line = 15 }",
             "if t > 20 and t - dt <= 20 then print(kite.snapped, kite.tension, kite.altitude < 3) "
-            "end");
-    INFO(snapped.output);
-    CHECK_THAT(snapped.output, Catch::Contains("true\t0.0\ttrue"));
-    const ProgramRun calm =
-        fly(sandbox, "world:wind { speed = 0 } kite = world:kite { line = 15 }",
-            "if t > 20 and t - dt <= 20 then print(kite.altitude < 1, kite.wind) end");
-    INFO(calm.output);
-    CHECK_THAT(calm.output, Catch::Contains("true\t0.0"));
+            "end"),
+        {}, {"true\t0.0\ttrue"});
+    check_run(fly(sandbox, "world:wind { speed = 0 } kite = world:kite { line = 15 }",
+                  "if t > 20 and t - dt <= 20 then print(kite.altitude < 1, kite.wind) end"),
+              {}, {"true\t0.0"});
 }
 
 TEST_CASE("kite: a mistake in a kite is told with file and line") {

@@ -5,13 +5,6 @@
 #include "runtime/lua/process/lesson_process.h"
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <filesystem>
-#include <map>
-#include <string>
-#include <utility>
-
 namespace fulcrum::test {
 
 using Questions = std::map<std::string, dialogue::Question>;

@@ -1,11 +1,6 @@
 // The lesson on the lever, played to its end by its own simulated hand.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -50,27 +45,19 @@ TEST_CASE("lever: a wrong answer presses again with a hint, and costs a star") {
                   "one newton\n");
     const ProgramRun run = sandbox.run("run lever --headless --say say.txt");
     INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("score 9, 2 of 3 stars") != std::string::npos);
+    check_run(run, 0, {"score 9, 2 of 3 stars"});
     // Without a window it is told what was asked, said and answered.
-    for (const char* line : {"level    1: Near or far?", "asks     Where is it easier to press",
-                             "learner  near the support (wrong)", "answers  Not yet.",
-                             "learner  one newton (right)"}) {
-        CHECK_THAT(run.output, Catch::Contains(line));
-    }
+    check_says(run.output, {"level    1: Near or far?", "asks     Where is it easier to press",
+                            "learner  near the support (wrong)", "answers  Not yet.",
+                            "learner  one newton (right)"});
 }
 
 TEST_CASE("lever: where the arm may give little the Earth gets lighter, and the lesson ends") {
     const Sandbox sandbox;
-    const ProgramRun run = sandbox.run("run lever --headless --force-limit 0.5");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("3 of 3 stars") != std::string::npos);
+    check_run(sandbox.run("run lever --headless --force-limit 0.5"), 0, {"3 of 3 stars"});
 }
 
-TEST_CASE(
-    "lever: the plan turns a body on a hinge; gravity and textures have no such stage, nor "
-    "voxels") {
+TEST_CASE("lever: the plan turns a body on a hinge; gravity and textures have no such stage") {
     const Sandbox sandbox;
     const std::string lever_plan = sandbox.run("explain lever").output;
     for (const char* words : {"a body turns on a hinge", "a cylinder meets bodies", "voxels of"}) {

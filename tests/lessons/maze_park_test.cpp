@@ -1,17 +1,6 @@
 // The maze park, played to its end by its own simulated hand, by the arrow keys and by a hand that leads.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <set>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -30,15 +19,13 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
 std::string play(const Sandbox& sandbox, const std::string& arguments) {
     const ProgramRun run = sandbox.run("run maze-park --headless " + arguments);
     INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("finished after") != std::string::npos);
+    check_run(run, 0, {"finished after"});
     return run.output;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "maze park: each of six dead ends asks a question of its own, and the end tells how it went") {
+TEST_CASE("maze park: each of six dead ends has a question of its own; the end tells how it went") {
     const Sandbox sandbox;
     const std::string told = play(sandbox, "");
     CHECK(lines_with(told, "A dead end!").size() == 6);
@@ -141,9 +128,7 @@ TEST_CASE("maze park: a hand that leads feels the hedges and is held in a dead e
     CHECK(largest_force_N(record) <= 5.0 + 1e-9);
 }
 
-TEST_CASE(
-    "maze park: what a learner got wrong in another lesson is asked in the maze, and nothing of "
-    "lessons never played") {
+TEST_CASE("maze park: what was wrong in another lesson is asked, nothing of one never played") {
     const Sandbox sandbox;
     sandbox.write("say.txt",
                   "it is easier near the support\nit is easier near the support\n"
@@ -167,9 +152,7 @@ TEST_CASE(
 
 TEST_CASE("maze park: every question of the bank is marked as its examples say") {
     const Sandbox sandbox;
-    const ProgramRun run = sandbox.run("check maze-park");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
+    check_run(sandbox.run("check maze-park"), 0);
 }
 
 TEST_CASE("examples: one that comes out otherwise is one sentence with its line") {
@@ -185,16 +168,13 @@ return L
 )");
     const ProgramRun run = sandbox.run("check odd");
     INFO(run.output);
-    CHECK(run.exit_code == 1);
-    for (const char* words :
-         {"\"an egg is heavy\" is said to be right, but its meaning is wrong",
-          "\"a apple is heavy\" is said to be right, but its form has R:DET",
-          "\"no\" is said to be right, but it is not understood",
-          "\"an apple is heavy\" is said to be wrong in meaning, but its meaning is right",
-          "\"an apple is heavy\" is said to be right with an error of form, but no error of form "
-          "is found"}) {
-        INFO(words);
-        CHECK(run.output.find(words) != std::string::npos);
-    }
+    check_run(
+        run, 1,
+        {"\"an egg is heavy\" is said to be right, but its meaning is wrong",
+         "\"a apple is heavy\" is said to be right, but its form has R:DET",
+         "\"no\" is said to be right, but it is not understood",
+         "\"an apple is heavy\" is said to be wrong in meaning, but its meaning is right",
+         "\"an apple is heavy\" is said to be right with an error of form, but no error of form "
+         "is found"});
     CHECK(lines_with(run.output, "lesson.lua:2").size() == 6);
 }

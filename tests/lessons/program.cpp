@@ -1,37 +1,20 @@
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sys/wait.h>
 
 namespace fulcrum::test {
-namespace fs = std::filesystem;
 
 std::string program_path() {
     return FULCRUM_PROGRAM;
 }
 
-Sandbox::Sandbox() {
-    std::string pattern = (fs::temp_directory_path() / "fulcrum_lesson_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-}
-
-Sandbox::~Sandbox() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-}
-
 ProgramRun Sandbox::run(const std::string& arguments, const std::string& under) const {
     const std::string command =
-        "cd '" + folder_.string() +
+        "cd '" + folder_.path().string() +
         "' && env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_DATA_HOME -u XDG_CACHE_HOME HOME='" +
-        folder_.string() + "' " + under + " '" FULCRUM_PROGRAM "' " + arguments +
+        folder_.path().string() + "' " + under + " '" FULCRUM_PROGRAM "' " + arguments +
         " 2>&1 </dev/null";
     ProgramRun run;
     std::FILE* pipe = popen(command.c_str(), "r");
@@ -46,8 +29,8 @@ ProgramRun Sandbox::run(const std::string& arguments, const std::string& under) 
 }
 
 std::string Sandbox::write(const std::string& name, const std::string& text) const {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
+    std::filesystem::create_directories((folder_.path() / name).parent_path());
+    folder_.write(name, text);
     return path(name);
 }
 

@@ -1,12 +1,6 @@
 // Lessons that ask, judge and finish in unusual order, in Lua: an innocent lesson is never ended for it.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <string>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -47,11 +41,7 @@ function L:answered(answer)
   the_world:finish { stars = 3 }
 end
 )");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("told b true") != std::string::npos);
-    CHECK(run.output.find("told a") == std::string::npos);
-    CHECK(run.output.find("finished") != std::string::npos);
+    check_run(run, 0, {"told b true", "finished"}, {"told a"});
 }
 
 TEST_CASE("questions: one may be asked in each frame, also in that of the answer") {
@@ -67,9 +57,7 @@ function L:answered(answer)
   if n > 150 then the_world:finish { stars = 3 } end
 end
 )");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("finished") != std::string::npos);
+    check_run(run, 0, {"finished"});
 }
 
 TEST_CASE("questions: right() may finish the lesson") {
@@ -80,9 +68,7 @@ function L:update(world, dt)
   if not asked then asked = true; world:ask "a" end
 end
 )");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("2 of 3 stars") != std::string::npos);
+    check_run(run, 0, {"2 of 3 stars"});
 }
 
 namespace {
@@ -133,8 +119,7 @@ std::string climb(const std::string& lesson_fields, const std::string& question_
 
 }  // namespace
 
-TEST_CASE(
-    "questions: a lesson, a question and who starts the program choose the steps of feedback") {
+TEST_CASE("questions: lesson, question and who starts the program choose the steps of feedback") {
     CHECK(climb("", "") == "recast prompt rule rule ");
     const std::string of_lesson = ", feedback = { \"rule\", \"recast\" }";
     CHECK(climb(of_lesson, "") == "rule recast recast recast ");
@@ -166,16 +151,9 @@ TEST_CASE("questions: steps of feedback that there are not are one sentence with
         sandbox.write("odd/lesson.lua",
                       std::string("local L = lesson { id = \"q\", title = \"Q\",\n") + wrong +
                           " }\nreturn L\n");
-        const ProgramRun run = sandbox.run("check odd");
-        INFO(run.output);
-        CHECK(run.exit_code == 1);
-        CHECK(run.output.find("lesson.lua:") != std::string::npos);
-        CHECK(run.output.find("lesson.feedback") != std::string::npos);
+        check_run(sandbox.run("check odd"), 1, {"lesson.lua:", "lesson.feedback"});
     }
     const Sandbox sandbox;
-    const ProgramRun run = sandbox.run("run gravity --headless --feedback recast,,rule");
-    CHECK(run.exit_code == 2);
-    CHECK(run.output.find(
-              "there is no step of feedback \"\"; steps are recast, prompt, rule and replay") !=
-          std::string::npos);
+    check_run(sandbox.run("run gravity --headless --feedback recast,,rule"), 2,
+              {"there is no step of feedback \"\"; steps are recast, prompt, rule and replay"});
 }

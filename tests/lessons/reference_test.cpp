@@ -1,19 +1,13 @@
 // What the reference shows runs as it stands there.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <fstream>
-#include <iterator>
-
 using namespace fulcrum::test;
 
 namespace {
 
 /// The first Lua example under a heading of the reference.
 std::string example_under(const std::string& heading) {
-    std::ifstream file(FULCRUM_TEST_LESSONS "/../../scripts/meta/reference.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = bytes_of(FULCRUM_TEST_LESSONS "/../../scripts/meta/reference.md");
     const std::size_t section = text.find("\n## " + heading + '\n');
     const std::size_t begin = text.find("```lua\n", section) + 7;
     REQUIRE(section != std::string::npos);
@@ -47,7 +41,5 @@ TEST_CASE("reference: its templates are understood and judged as they stand ther
                       "L:test { say = { 'the egg is heavier than the apple', 'an apple is heavier "
                       "than the egg', '3 eggs', 'there are two eggs' }, expect = { score = 22, "
                       "finished = true, stars = 3 } }\nreturn L\n");
-    const ProgramRun run = sandbox.run("test x");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
+    check_run(sandbox.run("test x"), 0);
 }

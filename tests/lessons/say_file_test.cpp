@@ -1,10 +1,6 @@
 // What a file says instead of a pupil: all of it, and what was not said is told.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-
 using namespace fulcrum::test;
 
 namespace {
@@ -33,21 +29,14 @@ TEST_CASE("say file: a question among a file's answers is put off, and the rest 
     sandbox.write("say.txt", "What is this?\nCan I eat it?\nit is an egg\nbla\n");
     const ProgramRun run = sandbox.run("run odd --headless --say say.txt");
     INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(run.output.find("Good question! But first answer mine.") != std::string::npos);
-    CHECK(run.output.find("I don't know that. Please answer my question first.") !=
-          std::string::npos);
-    CHECK(run.output.find("it is an egg (right)") != std::string::npos);
-    CHECK(run.output.find("finished after") != std::string::npos);
+    check_run(run, 0,
+              {"Good question! But first answer mine.",
+               "I don't know that. Please answer my question first.", "it is an egg (right)",
+               "finished after"});
     // What was not said is told, and so is a file that was too short.
-    CHECK(run.output.find(
-              "One line of the file was not said, \"bla\": the lesson was over before.") !=
-          std::string::npos);
+    check_says(run.output,
+               {"One line of the file was not said, \"bla\": the lesson was over before."});
     sandbox.write("say.txt", "Can I eat it?\nbla\n");
-    const ProgramRun left = sandbox.run("run odd --headless --say say.txt");
-    INFO(left.output);
-    CHECK(left.exit_code == 1);
-    CHECK(left.output.find("The lesson asked, and all 2 lines of the file are said") !=
-          std::string::npos);
-    CHECK(left.output.find("1 answer.") != std::string::npos);
+    check_run(sandbox.run("run odd --headless --say say.txt"), 1,
+              {"The lesson asked, and all 2 lines of the file are said", "1 answer."});
 }

@@ -1,11 +1,6 @@
 // The lesson on planets, played to its end by its own simulated hand and pupil.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -15,8 +10,7 @@ enum Body : int { earth = 9, jupiter = 15 };
 
 }  // namespace
 
-TEST_CASE(
-    "solar-system: the hand turns the Earth at its side and near its pole, and then Jupiter") {
+TEST_CASE("solar-system: the hand turns the Earth at its side, near its pole, and then Jupiter") {
     const Sandbox sandbox;
     REQUIRE(sandbox.run("run solar-system --headless --record r.rec").exit_code == 0);
     const Record record = read_run(sandbox.path("r.rec"));

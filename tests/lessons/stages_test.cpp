@@ -1,15 +1,6 @@
 // What starts with a lesson: beside what every lesson has, the stages that it asks for and no other, whatever else the library knows.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <filesystem>
-#include <map>
-#include <set>
-#include <string>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {

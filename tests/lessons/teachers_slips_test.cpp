@@ -1,10 +1,6 @@
 // Mistakes as a teacher makes them in a lesson that is right otherwise: the first line that check says names the cause.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-
 using namespace fulcrum::test;
 
 namespace {

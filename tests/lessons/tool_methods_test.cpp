@@ -1,15 +1,6 @@
 // One scene, each way to keep a tool outside things, by changing one word: the lever, and a planet that has handles.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 namespace fs = std::filesystem;
 
@@ -21,11 +12,7 @@ constexpr double kLimit_N = 5.0 + 1.0e-9;
 void copy_lesson(const fs::path& from, const fs::path& to, const std::string& word,
                  const std::string& other) {
     fs::copy(from, to, fs::copy_options::recursive);
-    std::ifstream file(to / "lesson.lua");
-    std::stringstream text;
-    text << file.rdbuf();
-    file.close();
-    std::string lesson = text.str();
+    std::string lesson = bytes_of(to / "lesson.lua");
     const std::size_t at = lesson.find(word);
     REQUIRE(at != std::string::npos);
     lesson.replace(at, word.size(), other);
@@ -51,8 +38,7 @@ TEST_CASE("tool methods: the lever and the planets are played to their ends by e
         const ProgramRun run =
             sandbox.run("run ./" + std::string(lesson) + " --headless --record r.rec");
         INFO(words << ", " << lesson << ": " << run.output);
-        CHECK(run.exit_code == 0);
-        CHECK(run.output.find("3 of 3 stars") != std::string::npos);
+        check_run(run, 0, {"3 of 3 stars"});
         const Record record = read_run(sandbox.path("r.rec"));
         CHECK(largest_force_N(record) > 0.5);
         CHECK(largest_force_N(record) <= kLimit_N);
@@ -87,9 +73,7 @@ TEST_CASE("tool methods: a banana in a bowl, by levels and by fields, and from t
             REQUIRE(pieces != std::string::npos);
             CHECK(told.output.find(shapes, pieces) < told.output.find("N/m", pieces));
         }
-        const ProgramRun run = sandbox.run("run ./levels --headless --record r.rec");
-        INFO(run.output);
-        REQUIRE(run.exit_code == 0);
+        check_run(sandbox.run("run ./levels --headless --record r.rec"), 0);
         records.push_back(read_run(sandbox.path("r.rec")));
     }
     CHECK(largest_force_N(records[0]) > 1.0);
@@ -130,10 +114,9 @@ return motion.play(function()
   motion.move_to({ 0.06, 0.35, 0 }, 0.5)
 end)
 )lua");
-    const ProgramRun run =
-        sandbox.run("run ./rough --headless --seconds 5 --hand rough/stroker.lua --record r.rec");
-    INFO(run.output);
-    REQUIRE(run.exit_code == 0);
+    check_run(
+        sandbox.run("run ./rough --headless --seconds 5 --hand rough/stroker.lua --record r.rec"),
+        0);
     const Record record = read_run(sandbox.path("r.rec"));
     const auto slot = std::ranges::find(record.header.effects, "texture");
     REQUIRE(slot != record.header.effects.end());

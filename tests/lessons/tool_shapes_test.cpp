@@ -1,14 +1,6 @@
 // What takes long to make for a tool is made once for a user, whatever happens to the program or the files meanwhile.
 #include "tests/lessons/program.h"
 
-#include <catch2/catch.hpp>
-
-#include <array>
-#include <filesystem>
-#include <string>
-#include <vector>
-
-using namespace fulcrum;
 using namespace fulcrum::test;
 
 namespace {
@@ -35,28 +27,20 @@ bool says(const ProgramRun& run, const char* words) {
 
 }  // namespace
 
-TEST_CASE(
-    "tool shapes: made at the first start, read at the next, and the lesson is played with both") {
+TEST_CASE("tool shapes: made at the first start, read at the next, and played with both") {
     const Sandbox sandbox;
     const ProgramRun first = sandbox.run(kExplain);
     INFO(first.output);
-    REQUIRE(first.exit_code == 0);
-    CHECK(says(first, "banana"));
-    CHECK(says(first, "B, made now\n"));
+    check_run(first, 0, {"banana", "B, made now\n"});
     CHECK_FALSE(kept_in(sandbox, ".shape").empty());
     CHECK(kept_in(sandbox, ".tmp").empty());
     // No terminal: no line that says how far it has come.
     CHECK_FALSE(says(first, "%"));
-    const ProgramRun second = sandbox.run(kExplain);
-    INFO(second.output);
-    CHECK(second.exit_code == 0);
-    CHECK(says(second, "B, from the cache\n"));
-    const ProgramRun played = sandbox.run(
-        std::string("run ") + FULCRUM_TEST_LESSONS "/banana --headless --seconds 4 --hand " +
-        FULCRUM_TEST_LESSONS "/touch/press.lua");
-    INFO(played.output);
-    CHECK(played.exit_code == 0);
-    CHECK(says(played, "touched ball"));
+    check_run(sandbox.run(kExplain), 0, {"B, from the cache\n"});
+    check_run(sandbox.run(std::string("run ") +
+                          FULCRUM_TEST_LESSONS "/banana --headless --seconds 4 --hand " +
+                          FULCRUM_TEST_LESSONS "/touch/press.lua"),
+              0, {"touched ball"});
 }
 
 TEST_CASE("tool shapes: a damaged file is told in one sentence and made again") {
@@ -72,15 +56,12 @@ TEST_CASE("tool shapes: a damaged file is told in one sentence and made again") 
     INFO(damaged.output);
     CHECK(damaged.exit_code == 0);
     for (const fs::path& shape : kept) {
-        CHECK(says(damaged,
-                   (shape.string() + ": the kept shape is cut off or too long; it is made again.\n")
-                       .c_str()));
+        check_says(damaged.output, {(shape.string() +
+                                     ": the kept shape is cut off or too long; it is made again.\n")
+                                        .c_str()});
     }
     CHECK(says(damaged, "B, made now\n"));
-    const ProgramRun mended = sandbox.run(kExplain);
-    INFO(mended.output);
-    CHECK(says(mended, "B, from the cache\n"));
-    CHECK_FALSE(says(mended, "made again"));
+    check_run(sandbox.run(kExplain), {}, {"B, from the cache\n"}, {"made again"});
 }
 
 TEST_CASE("tool shapes: a program killed at any step of writing leaves whole files or none") {
@@ -100,10 +81,7 @@ TEST_CASE("tool shapes: a program killed at any step of writing leaves whole fil
         }
         CHECK(killed.exit_code != 0);
         n_unfinished += kept_in(sandbox, ".tmp").size();
-        const ProgramRun next = sandbox.run(kExplain);
-        INFO(next.output);
-        CHECK(next.exit_code == 0);
-        CHECK_FALSE(says(next, "made again"));
+        check_run(sandbox.run(kExplain), 0, {}, {"made again"});
         CHECK(says(sandbox.run(kExplain), "B, from the cache\n"));
     }
     CHECK(n_unfinished >= 2);
@@ -116,16 +94,12 @@ TEST_CASE("tool shapes: what cannot be kept is told, and costs time alone") {
     fs::create_directory_symlink(sandbox.path("elsewhere"), sandbox.path(".cache/fulcrum/shapes"));
     const ProgramRun run = sandbox.run(kExplain);
     INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(says(run, "this is a link, where a folder should be"));
-    CHECK(says(run, "B, made now\n"));
+    check_run(run, 0, {"this is a link, where a folder should be", "B, made now\n"});
     CHECK(std::distance(fs::directory_iterator(sandbox.path("elsewhere")), {}) == 1);
     // Files may not become long: that is no end of the program.
     const Sandbox narrow;
-    const ProgramRun bounded = narrow.run(kExplain, "prlimit --fsize=100000");
-    INFO(bounded.output);
-    CHECK(bounded.exit_code == 0);
-    CHECK(says(bounded, "this shape can't be kept: File too large"));
+    check_run(narrow.run(kExplain, "prlimit --fsize=100000"), 0,
+              {"this shape can't be kept: File too large"});
     for (const fs::path& shape : kept_in(narrow, ".shape")) {
         CHECK(fs::file_size(shape) < 1000);  // what little there is was written whole
     }

@@ -1,3 +1,77 @@
+#include "haptics/collision/segment_query.h"
+#include "haptics/geometry/shape.h"
+#include "haptics/point/god_object.h"
+#include "haptics/point/proxy.h"
+#include "tests/bench/curves/bumpy_way.h"
+#include "tests/bench/harness/curve.h"
+#include "tests/support/touchable.h"
+
+namespace fulcrum::bench {
+namespace {
+
+// The simple proxy that the god-object replaces: the hand's foot on the plane touched last, then on to what the sweep there meets,
+// one constraint a tick. It needs several ticks into a corner and trembles on finely divided surfaces; kept as the thing to beat.
+
+class OneConstraintProxy final : public Proxy {
+  public:
+    /// One mesh that stands still at the origin.
+    explicit OneConstraintProxy(std::shared_ptr<const CollisionMesh> mesh)
+        : mesh_(std::move(mesh)) {}
+    void reset(const Vector3& hand_W) noexcept override;
+    void put_solid(std::size_t /*solid*/, const Pose& /*pose_W*/) noexcept override {}
+    const ProxyContact& step(const Vector3& hand_W,
+                             std::span<const Pose> solid_poses_W) noexcept override;
+
+  private:
+    void take_plane(const SegmentHit& hit) noexcept;
+
+    std::shared_ptr<const CollisionMesh> mesh_;
+    ProxyContact contact_;
+    Vector3 normal_{Vector3::UnitY()};
+    Vector3 point_{Vector3::Zero()};
+    bool touching_ = false;
+};
+
+constexpr double kGap_m = 1.0e-9;  // how high above a plane it is held
+
+void OneConstraintProxy::reset(const Vector3& hand_W) noexcept {
+    contact_ = {.position_W = hand_W};
+    touching_ = false;
+}
+
+const ProxyContact& OneConstraintProxy::step(const Vector3& hand_W,
+                                             std::span<const Pose> /*solid_poses_W*/) noexcept {
+    Vector3 target = hand_W;
+    if (touching_ && normal_.dot(hand_W - point_) < 0.0) {
+        target -= normal_ * (normal_.dot(hand_W - point_) - kGap_m);
+    }
+    const SegmentHit hit = find_nearest_hit(*mesh_, contact_.position_W, target);
+    touching_ = touching_ || hit.found();
+    if (!hit.found()) {
+        contact_.position_W = target;
+        const SegmentHit below = find_nearest_hit(*mesh_, target, hand_W);
+        touching_ = below.found();
+        take_plane(below);
+    } else {
+        const Vector3 way = target - contact_.position_W;
+        take_plane(hit);
+        const double fall = -normal_.dot(way);
+        contact_.position_W += std::max(0.0, hit.t - (fall > 0.0 ? kGap_m / fall : 0.0)) * way;
+    }
+    const Vector3 push = contact_.position_W - hand_W;
+    contact_.n_constraints = touching_ ? 1 : 0;
+    contact_.normal_W = push.squaredNorm() > 0.0 ? Vector3(push.normalized()) : push;
+    return contact_;
+}
+
+void OneConstraintProxy::take_plane(const SegmentHit& hit) noexcept {
+    if (hit.found()) {
+        const PreparedTriangle triangle = prepare_triangle(*mesh_, hit.triangle);
+        normal_ = triangle.doubled_area.normalized() * (hit.side < 0 ? -1.0 : 1.0);
+        point_ = triangle.a;
+    }
+}
+
 // What a step of the god-object costs against the number of triangles, beside the simple proxy that it replaces and a plain
 // scan; and what the structure costs that makes it fast.
 //
@@ -6,15 +80,6 @@
 //
 // At one speed a finer mesh has more edges to cross in a tick, so it is also measured at a quarter of an edge a tick: there the work of
 // a tick is the same on every mesh, and what is left to grow is the search for triangles, log n, and how far away in memory they are.
-#include "haptics/geometry/shape.h"
-#include "haptics/point/god_object.h"
-#include "tests/bench/curves/bumpy_way.h"
-#include "tests/bench/curves/one_constraint_proxy.h"
-#include "tests/bench/harness/curve.h"
-#include "tests/support/touchable.h"
-
-namespace fulcrum::bench {
-namespace {
 
 constexpr double kFelt = 0.1;           // of the depth: less is no touch to speak of
 constexpr int kLargestScanned = 11000;  // triangles; beyond, a plain scan only takes longer

@@ -129,8 +129,7 @@ TEST_CASE("power cut: on a disk that lies about syncs acknowledged records are l
     CHECK(lost_by_power_cuts(Synchronous::full, true, trials(15)) > 0);
 }
 
-TEST_CASE(
-    "power cut: at every operation of a database's first minute, nothing acknowledged is lost") {
+TEST_CASE("power cut: at each operation of the first minute, nothing acknowledged is lost") {
     PowerVfs vfs;
     const Workload work(2, 6);
     for (const CutStyle style : {CutStyle::drop, CutStyle::pick, CutStyle::garble}) {

@@ -97,9 +97,7 @@ TEST_CASE("noise: spots are where they should be, and none at no density") {
     CHECK(covered / 4000.0 < 0.12);
 }
 
-TEST_CASE(
-    "picture: colours go to sRGB and back, and the PNG that is written is the picture that is "
-    "read") {
+TEST_CASE("picture: colours go to sRGB and back, and the PNG written is the picture read") {
     const Picture picture = paint(5, 3, [](double u, double v) { return Colour(u, v, 0.25); });
     REQUIRE(picture.rgb.size() == 45);
     CHECK(picture.rgb[2] == 137);  // linear 0.25 in sRGB: IEC 61966-2-1

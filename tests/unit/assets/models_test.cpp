@@ -239,8 +239,7 @@ TEST_CASE("assets: an egg is pointed above and blunt below") {
     CHECK(widest_y_m > 0.5 * (top_m + bottom_m) - 0.006);
 }
 
-TEST_CASE(
-    "assets: the bucket is open upwards, as wide and deep as lessons say, and a melon fits in") {
+TEST_CASE("assets: the bucket is open upwards, wide and deep as lessons say; a melon fits in") {
     const auto loaded = load(make_bucket());
     // The inner sheet is the second part: nothing of it lies above the rim or closer to the axis than the floor allows.
     const auto& inner = loaded.primitives.at(1);

@@ -36,8 +36,7 @@ TEST_CASE("mesh file: faces of four corners become a closed cube that is seen fr
     check_cube(report_of(kCorners + kFaces));
 }
 
-TEST_CASE(
-    "mesh file: numbers of textures and normals, groups, comments and line ends are skipped") {
+TEST_CASE("mesh file: textures' and normals' numbers, groups, comments, line ends are skipped") {
     std::string text = "# made by hand\r\nmtllib a.mtl\no cube\nvt 0.5 0.5\nvn 0 0 1\n" + kCorners +
                        "g all\nusemtl red\ns off\n\n";
     text +=

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "dialogue/marking/question.h"
-
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "tests/unit/dialogue/rig.h"
 
 namespace fulcrum::dialogue {
 

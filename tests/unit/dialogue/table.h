@@ -9,13 +9,7 @@
 #include "dialogue/template/tokens.h"
 #include "tests/support/table.h"
 #include "tests/unit/dialogue/questions.h"
-
-#include <functional>
-#include <map>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
+#include "tests/unit/dialogue/rig.h"
 
 namespace fulcrum::dialogue {
 

@@ -7,16 +7,8 @@
 #include "dialogue/template/resolve.h"
 #include "dialogue/template/sentences.h"
 #include "dialogue/template/tokens.h"
+#include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
-
-#include <catch2/catch.hpp>
-
-#include <array>
-#include <optional>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace fulcrum::dialogue {
 

@@ -2,11 +2,7 @@
 #pragma once
 
 #include "dialogue/catalogue.h"
-
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
-#include <string>
+#include "tests/unit/dialogue/rig.h"
 
 namespace fulcrum::dialogue {
 

@@ -5,13 +5,7 @@
 #include "dialogue/marking/mark.h"
 #include "dialogue/template/graph.h"
 #include "dialogue/template/tokens.h"
-
-#include <cstddef>
-#include <functional>
-#include <set>
-#include <string>
-#include <tuple>
-#include <vector>
+#include "tests/unit/dialogue/rig.h"
 
 namespace fulcrum::dialogue {
 

@@ -3,15 +3,7 @@
 
 #include "dialogue/checking/checker.h"
 #include "dialogue/checking/reading.h"
-
-#include <catch2/catch.hpp>
-
-#include <map>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
+#include "tests/unit/dialogue/rig.h"
 
 namespace fulcrum::dialogue {
 

@@ -3,15 +3,8 @@
 #include "dialogue/checking/grammar_words.h"
 #include "dialogue/template/tokens.h"
 #include "tests/unit/dialogue/checking/checked.h"
+#include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
 
 using namespace fulcrum::dialogue;
 

@@ -1,16 +1,9 @@
 #include "dialogue/conversation/conversation.h"
 #include "dialogue/conversation/help.h"
 #include "dialogue/conversation/recast.h"
+#include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
 #include "tests/unit/dialogue/words.h"
-
-#include <catch2/catch.hpp>
-
-#include <array>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
 
 using namespace fulcrum::dialogue;
 

@@ -1,9 +1,9 @@
 #include "dialogue/conversation/conversation.h"
 
+#include "dialogue/conversation/help.h"
 #include "tests/unit/dialogue/questions.h"
+#include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/words.h"
-
-#include <catch2/catch.hpp>
 
 #include <rapidcheck.h>
 
@@ -200,4 +200,105 @@ TEST_CASE("conversation: any answers in any order keep it going and deterministi
             RC_ASSERT(texts[0] == texts[1]);
         }
     }));
+}
+
+TEST_CASE(
+    "conversation: the opposite is named to who was asked for a thing, not for a reason or a "
+    "place") {
+    const Catalogue catalogue = english_words();
+    const NamedLists lists{{"thing", {"wooden block", "metal block"}},
+                           {"other", {"water", "metal"}}};
+    const struct {
+        const char *prompt, *answer, *said;
+        bool is_named;
+    } rows[] = {
+        {"Look. Which block is lighter?", "[the] {thing} is <comparative:light>",
+         "the metal block is heavier", true},
+        {"A wooden block and a metal one: what is lighter?", "[the] {thing} is <comparative:light>",
+         "the metal block is heavier", true},
+        {"Why does the wooden block float?", "because it is <comparative:light> than [the] {other}",
+         "Because it is heavier than water.", false},
+        {"Why does it float?", "because [the] {thing} is <comparative:light> than [the] {other}",
+         "because the metal block is heavier than water", false},
+        {"Which way do you feel it?", "it is <comparative:light>", "it is heavier", false},
+    };
+    for (const auto& row : rows) {
+        CAPTURE(row.prompt);
+        Conversation talk(catalogue);
+        talk.ask(compiled({"q", row.prompt, {row.answer}, lists}));
+        const Mark mark = talk.hear(row.said);
+        REQUIRE_FALSE(mark.opposite_said.empty());
+        const Feedback feedback = talk.respond(mark, false);
+        CHECK(feedback.kind == FeedbackKind::not_understood);
+        CHECK((feedback.keys.front() == "feedback.opposite") == row.is_named);
+    }
+}
+
+TEST_CASE("conversation: the ladder can be set, and a question has its own") {
+    ConversationSettings settings;
+    settings.ladder = {FeedbackStep::prompt, FeedbackStep::rule};
+    Conversation talk(words(), settings);
+    CHECK(answer(talk, heaviest(), "watermelon is heaviest").kind == FeedbackKind::prompt);
+    const Feedback rule = answer(talk, heaviest(), "watermelon is heaviest");
+    CHECK(rule.kind == FeedbackKind::rule);
+    CHECK_THAT(rule.text, Catch::Contains("There is only one, so we say the: *the heaviest*."));
+    // Who stands on the last step stays there.
+    CHECK(answer(talk, heaviest(), "watermelon is heaviest").kind == FeedbackKind::rule);
+    Question patient = heaviest();
+    patient.ladder = {FeedbackStep::recast};
+    for (int i = 0; i < 5; ++i) {
+        CHECK(answer(talk, patient, "watermelon is heaviest").kind == FeedbackKind::recast);
+    }
+    // Sightings are counted over all questions, whatever their ladders.
+    CHECK(answer(talk, heaviest(), "watermelon is heaviest").kind == FeedbackKind::rule);
+    settings.ladder.clear();
+    Conversation usual(words(), settings);
+    for (const FeedbackKind kind :
+         {FeedbackKind::recast, FeedbackKind::prompt, FeedbackKind::rule, FeedbackKind::rule}) {
+        CHECK(answer(usual, heaviest(), "watermelon is heaviest").kind == kind);
+    }
+}
+
+TEST_CASE("conversation: a step may let the hand feel it again, and nobody is held back by it") {
+    ConversationSettings settings;
+    settings.ladder = {FeedbackStep::replay, FeedbackStep::recast};
+    Conversation talk(words(), settings);
+    const Feedback felt = answer(talk, heaviest(), "watermelon is most heavy");
+    CHECK(felt.kind == FeedbackKind::replay);
+    CHECK(felt.replay);
+    CHECK_FALSE(felt.ask_again);
+    CHECK_FALSE(felt.may_repeat);
+    CHECK(felt.text == "Yes. A watermelon is *the heaviest*.");
+    CHECK(talk.state() == Conversation::State::done);
+    CHECK_FALSE(answer(talk, heaviest(), "watermelon is most heavy").replay);
+}
+
+TEST_CASE(
+    "conversation: a rule names the word that is missing or misspelt, and reads as a sentence") {
+    ConversationSettings settings;
+    settings.ladder = {FeedbackStep::rule};
+    Conversation talk(words(), settings);
+    CHECK(answer(talk, heaviest(), "an apple the heaviest").text ==
+          "Yes. An apple *is* the heaviest. Every sentence needs a verb, here is.");
+    CHECK(answer(talk, heaviest(), "an appel is the heaviest").text ==
+          "Yes. *An apple* is the heaviest. The right spelling: apple.");
+}
+
+TEST_CASE("rules: every error that any template labels has a rule among the needed keys") {
+    std::set<std::string> needed;
+    for (const CatalogueNeed& need : conversation_needs()) {
+        CHECK(needed.insert(std::string(need.key)).second);
+    }
+    for (int code = 1; code < kErrorCodes; ++code) {
+        for (const Role role : {Role::word, Role::determiner, Role::noun, Role::adjective,
+                                Role::verb, Role::preposition}) {
+            FormError error;
+            error.code = static_cast<ErrorCode>(code);
+            error.role = role;
+            error.base = "heavy";
+            error.degree = Degree::superlative;
+            INFO(error.errant());
+            CHECK(needed.count(rule_key(error)) == 1);
+        }
+    }
 }

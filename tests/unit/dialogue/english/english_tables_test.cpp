@@ -13,16 +13,8 @@
 #include "dialogue/english/unit.h"
 #include "dialogue/english/variant.h"
 #include "dialogue/english/verb.h"
+#include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace fulcrum::dialogue;
 

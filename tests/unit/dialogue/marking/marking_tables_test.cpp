@@ -5,14 +5,9 @@
 #include "dialogue/marking/readings.h"
 #include "dialogue/marking/reasons.h"
 #include "dialogue/marking/said_spans.h"
+#include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
 #include "tests/unit/dialogue/told_mark.h"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 using namespace fulcrum::dialogue;
 

@@ -3,10 +3,7 @@
 #include "dialogue/marking/mark.h"
 #include "dialogue/template/matcher.h"
 #include "tests/unit/dialogue/questions.h"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
+#include "tests/unit/dialogue/rig.h"
 
 using namespace fulcrum::dialogue;
 

@@ -2,11 +2,9 @@
 
 #include "dialogue/template/sentences.h"
 #include "tests/unit/dialogue/questions.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/dialogue/rig.h"
 
 #include <rapidcheck.h>
-#include <set>
 
 using namespace fulcrum::dialogue;
 

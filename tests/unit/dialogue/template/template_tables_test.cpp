@@ -5,15 +5,9 @@
 #include "dialogue/template/syntax.h"
 #include "dialogue/template/what_follows.h"
 #include "tests/unit/dialogue/questions.h"
+#include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
 #include "tests/unit/dialogue/told_mark.h"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <map>
-#include <string>
-#include <vector>
 
 using namespace fulcrum::dialogue;
 

@@ -2,23 +2,16 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/audio/recorded_microphone.h"
+#include "tests/support/eventually.h"
 #include "tests/unit/runtime/rig.h"
 
 #include <chrono>
 #include <thread>
 
 using namespace fulcrum::runtime::test;
+using namespace fulcrum::test_support;
 
 namespace {
-
-bool wait_for(const std::function<bool()>& done) {
-    const double end_s = monotonic_now_s() + 30.0;
-    bool is_done = done();
-    for (; !is_done && monotonic_now_s() < end_s; is_done = done()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return is_done;
-}
 
 Expected<std::unique_ptr<Microphone>> open_quiet() {
     return std::make_unique<RecordedMicrophone>(std::vector<std::int16_t>{},
@@ -64,18 +57,18 @@ runtime::View shown(const LiveEar& ear) {
 TEST_CASE("live ear: the key that is held takes in what is said, and asks for silence once") {
     LiveEar ear(ListenMode::hold, open_quiet);
     (void)ear.step(true, false);
-    CHECK(wait_for([&] { return shown(ear).microphone.words == "HOLD Control"; }));
+    CHECK(eventually([&] { return shown(ear).microphone.words == "HOLD Control"; }));
     CHECK_FALSE(ear.take_keys(key_down("a")));
     CHECK(ear.take_keys(key_down("control")));
     CHECK_FALSE(ear.take_keys(key_down("control", true)));
-    CHECK(wait_for([&] { return shown(ear).microphone.hears; }));
+    CHECK(eventually([&] { return shown(ear).microphone.hears; }));
     CHECK(shown(ear).microphone.words == "LISTENING");
     CHECK_FALSE(ear.take_keys(key_up("shift")));
     std::this_thread::sleep_for(std::chrono::milliseconds(50));  // a second of its own
     CHECK(shown(ear).microphone.hears);
     CHECK_FALSE(ear.take_keys(key_up("control")));
     std::optional<std::vector<std::int16_t>> said;
-    CHECK(wait_for([&] { return (said = ear.step(true, false)).has_value(); }));
+    CHECK(eventually([&] { return (said = ear.step(true, false)).has_value(); }));
     CHECK_FALSE(shown(ear).microphone.hears);
 }
 
@@ -83,11 +76,11 @@ TEST_CASE("live ear: a window that is left lets go of the key") {
     LiveEar ear(ListenMode::hold, open_quiet);
     (void)ear.step(true, false);
     CHECK(ear.take_keys(key_down("control")));
-    CHECK(wait_for([&] { return shown(ear).microphone.hears; }));
+    CHECK(eventually([&] { return shown(ear).microphone.hears; }));
     WindowEvents left;
     left.lost_focus = true;
     CHECK_FALSE(ear.take_keys(left));
-    CHECK(wait_for([&] { return !shown(ear).microphone.hears; }));
+    CHECK(eventually([&] { return !shown(ear).microphone.hears; }));
 }
 
 TEST_CASE("live ear: where nobody listens the key means nothing and nothing is shown") {
@@ -104,15 +97,15 @@ TEST_CASE("live ear: without a key it says when to speak, and when to listen fir
     LiveEar ear(ListenMode::always, open_quiet);
     (void)ear.step(true, false);
     CHECK_FALSE(ear.take_keys(key_down("control")));
-    CHECK(wait_for([&] { return shown(ear).microphone.words == "SPEAK"; }));
+    CHECK(eventually([&] { return shown(ear).microphone.words == "SPEAK"; }));
     (void)ear.step(true, true);
-    CHECK(wait_for([&] { return shown(ear).microphone.words == "FIRST"; }));
+    CHECK(eventually([&] { return shown(ear).microphone.words == "FIRST"; }));
     CHECK(shown(ear).microphone.level == 0.0);
 }
 
 TEST_CASE("live ear: without a microphone a banner says so, and another one stays") {
     LiveEar ear(ListenMode::hold, open_none);
-    CHECK(wait_for([&] { return shown(ear).banner == "NONE"; }));
+    CHECK(eventually([&] { return shown(ear).banner == "NONE"; }));
     CHECK_FALSE(shown(ear).microphone.visible);
     runtime::View view;
     view.input_visible = true;

@@ -1,5 +1,6 @@
 #include "runtime/app/options.h"
 
+#include "tests/support/table.h"
 #include "tests/unit/runtime/rig.h"
 
 using namespace fulcrum::runtime::test;
@@ -96,69 +97,13 @@ TEST_CASE("options: each command takes its own, as it is said") {
 }
 
 TEST_CASE("options: what cannot be is refused, where it can with what is meant or possible") {
-    const std::pair<const char*, const char*> rows[] = {
-        // A wrong word names the nearest right one.
-        {"rnu", "did you mean run"},
-        {"run gravity --headles", "did you mean --headless"},
-        {"--lerner Mina", "did you mean --learner"},
-        // A missing lesson, a missing value, a word too many, another command's word.
-        {"run", ""},
-        {"run gravity --hand", ""},
-        {"run gravity apples", ""},
-        {"list gravity", ""},
-        {"report --headless", ""},
-        {"report --format docx", ""},
-        {"--headless", ""},
-        {"--learner", ""},
-        {"test gravity --real-time", ""},
-        {"devices gravity", ""},
-        {"devices --hand hid", ""},
-        {"run gravity --analyze", ""},
-        {"run gravity --listen never", "use hold or always"},
-        {"run gravity --speech microphone",
-         "--speech microphone is not known; use text, sphinx or exec:COMMAND."},
-        {"test gravity --by foot", "--by foot is not known; use arm, mouse or keyboard."},
-        // How sure one must be to have heard is a number from 0 to 1.
-        {"run gravity --sure -0.1", "give a number from 0 to 1"},
-        {"run gravity --sure 1.1", "give a number from 0 to 1"},
-        {"run gravity --sure nan", "give a number from 0 to 1"},
-        {"run gravity --sure much", "give a number from 0 to 1"},
-        {"run gravity --sure ''", "give a number from 0 to 1"},
-        {"list --sure 0.5", ""},
-        // No force above ten newtons can be asked for.
-        {"run gravity --force-limit 10.01", ""},
-        {"run gravity --force-limit 0", ""},
-        {"run gravity --force-limit -5", ""},
-        {"run gravity --force-limit nan", ""},
-        {"run gravity --force-limit inf", ""},
-        {"run gravity --force-limit 1e9", ""},
-        {"run gravity --force-limit 5N", ""},
-        {"run gravity --force-limit ''", ""},
-        // How a hand is set.
-        {"run x --hand mouse --hand keys --scale 9", ""},
-        {"run gravity --first-use twice", ""},
-        {"run gravity --scale 9", ""},
-        {"run gravity --axes x,y", ""},
-        {"run gravity --handed both", ""},
-        {"list --handed left", ""},
-        // A record is explained at a time, or exported.
-        {"explain --force soon a.rec", ""},
-        {"explain --force -1 a.rec", ""},
-        {"explain --force 1", "needs a record"},
-        {"export", ""},
-        {"export a.rec --json", ""},
-        {"run gravity --force 1", ""},
-        {"stop --only 0", ""},
-        {"stop --only 1234.5", ""},
-        {"stop --only all", ""},
-    };
-    for (const auto& [line, told] : rows) {
-        INFO(line);
-        const std::string refusal = refusal_of(parse(line));
-        CHECK(refusal != "");
-        check_says(refusal, {told});
-        CHECK((refusal == told || !std::string_view(told).ends_with('.')));
-    }
+    hold_tables(FULCRUM_SOURCE_DIR "/tests/unit/runtime/app", [] {
+        TableReader reader;
+        reader.probes["refused"] = [](const std::string&, const std::string& line) {
+            return refusal_of(parse(line));
+        };
+        return reader;
+    });
     // A guess that would puzzle is not made.
     for (const char* line : {"xylophone", "run gravity --zzzz x"}) {
         const std::string refusal = refusal_of(parse(line));

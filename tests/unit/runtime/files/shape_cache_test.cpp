@@ -2,18 +2,12 @@
 
 #include "tests/support/scratch_folder.h"
 #include "tests/unit/runtime/files/shape_cache_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <functional>
-#include <string>
 #include <sys/stat.h>
 
-namespace fulcrum::runtime {
-namespace {
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("shape cache: what was made once is read the next time, by another program too") {
     const ScratchFolder scratch;
@@ -385,6 +379,3 @@ TEST_CASE("shape cache: it lies in the user's cache folder") {
     CHECK(folder->filename() == "shapes");
     CHECK(folder->parent_path().filename() == "fulcrum");
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

@@ -4,28 +4,19 @@
 #include "haptics/base/clock.h"
 #include "runtime/audio/recorded_microphone.h"
 #include "runtime/hearing/external_recogniser.h"
+#include "tests/support/eventually.h"
 #include "tests/unit/runtime/hearing/sounds.h"
+#include "tests/unit/runtime/rig.h"
 
 #include <chrono>
-#include <functional>
 #include <thread>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
+using namespace fulcrum::test_support;
 
 namespace {
 
 constexpr GateSettings kAlways{.mode = ListenMode::always};
-
-bool wait_for(const std::function<bool()>& done) {
-    const double end_s = monotonic_now_s() + 30.0;
-    bool is_done = done();
-    for (; !is_done && monotonic_now_s() < end_s; is_done = done()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return is_done;
-}
 
 OpenMicrophone playing(const Samples& samples, double unplugged_at_s = -1.0) {
     return [samples, unplugged_at_s] {
@@ -41,7 +32,7 @@ Samples in_room(const std::string& text) {
 
 std::optional<Samples> take(Ear& ear) {
     std::optional<Samples> heard;
-    wait_for([&] { return (heard = ear.take()).has_value(); });
+    eventually([&] { return (heard = ear.take()).has_value(); });
     return heard;
 }
 
@@ -80,14 +71,14 @@ TEST_CASE("ear: from a microphone to a mark: the learner's error is heard as it 
 TEST_CASE("ear: what it hears is seen while it is heard, and only then") {
     Ear ear(kAlways, playing(joined({silence(1.0), noise(1.0, 0.1), silence(60.0)})));
     ear.listen(true);
-    CHECK(wait_for([&] { return ear.state().level > 0.5 && ear.state().hears; }));
+    CHECK(eventually([&] { return ear.state().level > 0.5 && ear.state().hears; }));
     CHECK(take(ear));
-    CHECK(wait_for([&] { return ear.state().level < 0.05 && !ear.state().hears; }));
+    CHECK(eventually([&] { return ear.state().level < 0.05 && !ear.state().hears; }));
     CHECK(ear.state().has_microphone);
     ear.speak(true);
-    CHECK(wait_for([&] { return ear.state().deaf; }));
+    CHECK(eventually([&] { return ear.state().deaf; }));
     ear.speak(false);
-    CHECK(wait_for([&] { return !ear.state().deaf; }));
+    CHECK(eventually([&] { return !ear.state().deaf; }));
     // What nobody took is gone once nobody listens.
     ear.listen(false);
     CHECK_FALSE(ear.take());
@@ -108,7 +99,7 @@ TEST_CASE("ear: no microphone is one sentence, however long; one that is plugged
         },
         0.01);
     ear.listen(true);
-    CHECK(wait_for([&] { return n_tries > 5; }));
+    CHECK(eventually([&] { return n_tries > 5; }));
     CHECK_FALSE(ear.state().has_microphone);
     CHECK(ear.take_trouble().find("no microphone was found") == 0);
     CHECK(ear.take_trouble().empty());
@@ -138,7 +129,7 @@ TEST_CASE("ear: unplugged in the middle it says so once, and goes on with the ne
 TEST_CASE("ear: a microphone that is switched off is told once") {
     Ear ear(kAlways, playing({}));
     std::string trouble;
-    CHECK(wait_for([&] { return !(trouble = ear.take_trouble()).empty(); }));
+    CHECK(eventually([&] { return !(trouble = ear.take_trouble()).empty(); }));
     CHECK(trouble.find("the microphone gives no sound") == 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(400));  // eight seconds of its own
     CHECK(ear.take_trouble().empty());

@@ -6,21 +6,11 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/unit/runtime/hearing/asked.h"
 #include "tests/unit/runtime/hearing/sounds.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <atomic>
-#include <cmath>
-#include <cstdint>
-#include <fstream>
-#include <string>
-#include <string_view>
-#include <vector>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
-using test::make_question;
-using test::shell;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -44,9 +34,7 @@ std::string only(const std::vector<dialogue::Hypothesis>& heard) {
 
 }  // namespace
 
-TEST_CASE(
-    "hearing: PocketSphinx hears what is right, the learner's errors as they are said, and nothing "
-    "else") {
+TEST_CASE("hearing: PocketSphinx hears what is right, learners' errors as said, and no more") {
     const ScratchFolder folder;
     const dialogue::Question question = make_question();
     struct Said {
@@ -95,13 +83,13 @@ TEST_CASE("hearing: a voice four semitones higher is heard by a smaller throat, 
         for (const char* text : {"the watermelon is the heaviest", "the banana is the most heavy",
                                  "the apple is the heaviest", "the egg is the heaviest"}) {
             REQUIRE(recogniser->listen(question.templates));
-            recogniser->hear(test::said(text, 1.26));
+            recogniser->hear(said(text, 1.26));
             const auto heard = recogniser->poll();
             REQUIRE(heard.size() == 1);
             n += heard.front().text == text && heard.front().confidence > 0.4 ? 1 : 0;
         }
         REQUIRE(recogniser->listen(question.templates));
-        recogniser->hear(test::said("the weather is nice today", 1.26));
+        recogniser->hear(said("the weather is nice today", 1.26));
         const auto outside = recogniser->poll();
         REQUIRE(outside.size() == 1);
         CHECK(outside.front().confidence < 0.4);
@@ -114,14 +102,13 @@ TEST_CASE("hearing: a voice four semitones higher is heard by a smaller throat, 
 TEST_CASE("hearing: in a loud room some is heard, and what fits nothing is still not taken in") {
     const dialogue::Question question = make_question();
     const auto in_room = [](std::string_view text) {
-        const test::Samples voice =
-            test::joined({test::silence(0.3), test::said(text), test::silence(0.3)});
+        const Samples voice = joined({silence(0.3), said(text), silence(0.3)});
         double power = 0.0;
         for (const std::int16_t x : voice) {
             power += std::pow(x / 32767.0, 2) / static_cast<double>(voice.size());
         }
         // 20 dB below the voice.
-        return test::added(test::noise(test::seconds_of(voice), 0.1 * std::sqrt(power)), voice);
+        return added(noise(seconds_of(voice), 0.1 * std::sqrt(power)), voice);
     };
     const auto recogniser = start({FULCRUM_SPHINX});
     const auto is_heard = [&](std::string_view text) {

@@ -2,20 +2,9 @@
 #include "haptics/base/clock.h"
 #include "runtime/hearing/external_recogniser.h"
 #include "tests/unit/runtime/hearing/asked.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
-using test::make_question;
-using test::shell;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -155,9 +144,7 @@ TEST_CASE("hearing: a program that closes its output is ended at once") {
     }
 }
 
-TEST_CASE(
-    "hearing: in a window too a program that stays silent is told of and ended, and no poll "
-    "waits") {
+TEST_CASE("hearing: in a window too a silent program is told of and ended, and no poll waits") {
     const auto recogniser =
         ExternalRecogniser::create({.words = shell("exec sleep 100"), .patience_s = 0.3}).value();
     REQUIRE(recogniser->listen(make_question().templates));

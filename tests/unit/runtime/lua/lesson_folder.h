@@ -2,37 +2,31 @@
 #pragma once
 
 #include "runtime/lua/process/lesson_process.h"
-#include "tests/unit/runtime/lua/lesson_helper.h"
+#include "tests/support/scratch_folder.h"
 
 #include <filesystem>
-#include <fstream>
-#include <stdlib.h>
 #include <string>
 
 namespace fulcrum::runtime::test {
 
-class LessonFolder {
+/// The program that plays a lesson's process in these tests: it lies beside the tests' own.
+inline std::string lesson_helper() {
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "lesson_process_helper";
+}
+
+/// A lesson's file: the head, `body`, and the return.
+inline std::string lesson_text(const std::string& body) {
+    return "local L = lesson { id = \"t\", title = \"T\" }\n" + body + "\nreturn L\n";
+}
+
+class LessonFolder : public ScratchFolder {
   public:
-    LessonFolder() {
-        std::string pattern =
-            (std::filesystem::temp_directory_path() / "fulcrum-lua-XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    LessonFolder(const LessonFolder&) = delete;
-    LessonFolder& operator=(const LessonFolder&) = delete;
-    ~LessonFolder() { std::filesystem::remove_all(path_); }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name) << text;
-    }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
     [[nodiscard]] LessonFiles files(const std::string& hand = {}) const {
         LessonFiles files;
-        files.folder = path_;
+        files.folder = path();
         files.library = std::filesystem::path(FULCRUM_SOURCE_DIR) / "scripts/lib";
         if (!hand.empty()) {
-            files.hand = path_ / hand;
+            files.hand = path() / hand;
         }
         return files;
     }
@@ -47,15 +41,19 @@ class LessonFolder {
         write("lesson.lua", text);
         return LessonProcess::start(files(hand), options());
     }
-
-  private:
-    std::filesystem::path path_;
+    /// Starts the lesson with this body: what it prints while it begins, each with a ';' behind it, or its error's sentence.
+    [[nodiscard]] std::string begin(const std::string& body) const {
+        const auto process = start(lesson_text(body));
+        if (!process) {
+            return to_sentence(process.error());
+        }
+        std::string prints;
+        for (const std::string& line : (*process)->prints_while_loading()) {
+            prints += line + ';';
+        }
+        return prints;
+    }
 };
-
-/// A lesson's file: the head, `body`, and the return.
-inline std::string lesson_text(const std::string& body) {
-    return "local L = lesson { id = \"t\", title = \"T\" }\n" + body + "\nreturn L\n";
-}
 
 /// A frame in which every body lies where it was declared.
 inline LessonFrame frame_for(const LessonDescription& description, double time_s) {

@@ -11,6 +11,30 @@
 
 namespace fulcrum::runtime::test {
 
+/// The beginning of a lesson that tells a story: what follows stands from line 11 on.
+inline constexpr const char* kStory = R"(
+local story = require "story"
+local wait, wait_for = story.wait, story.wait_for
+L:question "q" { prompt = "?", answers = { "{thing}" }, right = function(a) return true end }
+function L:start(world)
+  local apple = world:body { name = "apple", movable = true }
+  local egg = world:body { name = "egg", movable = true }
+  world:bucket {}
+  story(L, function()
+)";
+
+/// A lesson that plays `tell` as a game, from line 9 on.
+inline std::string game_text(const std::string& tell) {
+    return R"(
+local game = require "game"
+local story = require "story"
+L:question "q" { prompt = "?", answers = { "{thing}" }, right = function(a) return true end }
+function L:start(world)
+  world:body { name = "apple" }
+  game.play(L, world, function(round)
+)" + tell + "\n  end)\nend";
+}
+
 /// A lesson that is fed frames and whose prints are collected.
 struct Player {
     LessonFolder folder;

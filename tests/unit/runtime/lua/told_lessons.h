@@ -4,13 +4,15 @@
 #include "runtime/lua/sandbox/plain_words.h"
 #include "tests/support/table.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
+#include "tests/unit/runtime/lua/lesson_player.h"
 
 #include <string>
 
 namespace fulcrum::runtime::test {
 
-/// `with`, where "…" stands for what goes in; it alone where `with` is empty.
-inline std::string put_into(const std::string& with, const std::string& in) {
+/// `with`, which may stand in quotes, where "…" stands for what goes in; it alone where `with` is empty.
+inline std::string put_into(const std::string& written, const std::string& in) {
+    const std::string with = table_field(written);
     const std::string gap = "…";
     const std::size_t at = with.find(gap);
     return at == std::string::npos ? in : std::string(with).replace(at, gap.size(), in);
@@ -24,13 +26,32 @@ inline std::string told_lesson(const std::string& body, bool in_start,
     return in_start ? lesson.start(body) : lesson.load(body);
 }
 
-/// The probes of the tables of api and sandbox; behind start and load may stand what goes around.
+/// What a lesson says in its first frame.
+inline std::string told_playing(const std::string& body) {
+    HostedLesson lesson;
+    const std::string told = lesson.load(body);
+    return told.empty() ? lesson.play() : told;
+}
+
+/// What a lesson with these lines, of the modules that are named, prints while it begins or is told, in a process of its own.
+inline std::string told_beginning(const std::string& modules, const std::string& lines) {
+    std::string text;
+    for (const std::string& module : listed(modules)) {
+        text += "local " + module + " = require '" + module + "' ";
+    }
+    return LessonFolder().begin(text + "\nfunction L:start(world)\n" + lines + "\nend");
+}
+
+/// The probes of the tables of api and sandbox; behind start, load and play may stand what goes around, behind begin the modules.
 inline TableReader told_lessons() {
     using Text = const std::string&;
     return {
         {{"start", [](Text with, Text in) { return told_lesson(put_into(with, in), true); }},
          {"start_two", [](Text, Text in) { return told_lesson(in, true, ", hands = 2"); }},
          {"load", [](Text with, Text in) { return told_lesson(put_into(with, in), false); }},
+         {"play", [](Text with, Text in) { return told_playing(put_into(with, in)); }},
+         {"begin", told_beginning},
+         {"begin_in", [](Text with, Text in) { return LessonFolder().begin(put_into(with, in)); }},
          {"says", [](Text, Text in) { return told_lesson("", false, in); }},
          {"level", [](Text, Text in) { return told_lesson("", false, ", level = '" + in + "'"); }},
          {"run", [](Text, Text in) { return run_script(in); }},

@@ -1,9 +1,8 @@
 #include "runtime/render/renderer.h"
 
 #include "tests/unit/runtime/render/picture_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 TEST_CASE("picture: nothing breaks it, and its edges are smooth") {

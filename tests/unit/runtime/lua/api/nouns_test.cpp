@@ -1,23 +1,23 @@
 #include "runtime/lua/api/nouns.h"
 
 #include "tests/unit/runtime/lua/hosted_lesson.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-namespace fulcrum::runtime {
 namespace {
 
-using test::HostedLesson;
+constexpr const char* kBalls = R"(
+local b1
+function L:start(world)
+  b1 = world:body { name = "b1", noun = "tennis ball" }
+  world:body { name = "b2", noun = "football" }
+  world:body { name = "s1", noun = "stone" }
+  world:body { name = "s2", noun = "stone" }
+end
+)";
 
-TEST_CASE("nouns: an answer gives the first form, without an article") {
-    CHECK(spoken_noun("tennis ball") == "tennis ball");
-    CHECK(spoken_noun("the Moon") == "Moon");
-    CHECK(spoken_noun("An hour") == "hour");
-    CHECK(spoken_noun(" bike | bicycle") == "bike");
-    CHECK(spoken_noun("anthill") == "anthill");
-    CHECK(spoken_noun("the ") == "the");
-    CHECK(spoken_noun("") == "");
-}
+}  // namespace
 
 TEST_CASE("nouns: a noun means a body only when one has it") {
     LessonDescription lesson;
@@ -31,16 +31,6 @@ TEST_CASE("nouns: a noun means a body only when one has it") {
     CHECK(count_noun(lesson, "apple") == 2);
     CHECK(body_with_noun(lesson, "egg") == kNoBody);
 }
-
-constexpr const char* kBalls = R"(
-local b1
-function L:start(world)
-  b1 = world:body { name = "b1", noun = "tennis ball" }
-  world:body { name = "b2", noun = "football" }
-  world:body { name = "s1", noun = "stone" }
-  world:body { name = "s2", noun = "stone" }
-end
-)";
 
 TEST_CASE("nouns: an answer knows the bodies that its slots speak of") {
     HostedLesson lesson;
@@ -71,6 +61,3 @@ TEST_CASE("nouns: world:find takes a name, or a noun that one body has") {
     CHECK(lesson.play() ==
           "lesson.lua:10: there is no body \"fotball\"; did you mean \"football\"?");
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

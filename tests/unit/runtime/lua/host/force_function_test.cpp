@@ -1,15 +1,10 @@
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 #include "tests/unit/runtime/lua/lesson_folder.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-namespace fulcrum::runtime {
 namespace {
-
-using test::frame_for;
-using test::HostedLesson;
-using test::lesson_text;
-using test::LessonFolder;
 
 /// The force that a function body hands over with the tool at `position`, moving with `velocity`.
 LinearisedWrench force_of(const std::string& function_body, const Vector3& position,
@@ -31,6 +26,8 @@ std::string sentence_of(const std::string& function_body) {
     REQUIRE(lesson.start("\nworld:hand {}:force(function(tool) " + function_body + " end)") == "");
     return lesson.play();
 }
+
+}  // namespace
 
 TEST_CASE("force function: the slope of a curved force is right to second order") {
     // F_x = 100 x^2 + 5 v_x^2 at x = 0.2, v = 0.5: dF/dx = 40, dF/dv = 5; a central difference of a parabola is exact.
@@ -182,6 +179,3 @@ end)"));
     CHECK(force.at_velocity_W == frame.tool_twist_W.linear);
     CHECK(force.stamp_s == 2.0);
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

@@ -1,8 +1,7 @@
 #include "runtime/lua/process/lesson_process.h"
 
 #include "tests/unit/runtime/lua/lesson_folder.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <cerrno>
 #include <chrono>
@@ -11,12 +10,9 @@
 #include <thread>
 #include <unistd.h>
 
-namespace fulcrum::runtime {
-namespace {
+using namespace fulcrum::runtime::test;
 
-using test::frame_for;
-using test::lesson_text;
-using test::LessonFolder;
+namespace {
 
 template <class Command>
 std::vector<Command> commands_of(const LessonReply& reply) {
@@ -54,6 +50,8 @@ std::string frame_sentence(const std::string& text) {
     const auto reply = (*process)->exchange(frame_for((*process)->description(), 0.0));
     return reply ? "answered" : to_sentence(reply.error());
 }
+
+}  // namespace
 
 TEST_CASE("lesson process: declares a scene and answers frames") {
     const LessonFolder folder;
@@ -228,8 +226,7 @@ TEST_CASE("lesson process: an endless loop, a feast of memory and deep calls end
           "itself?).");
 }
 
-TEST_CASE(
-    "lesson process: what its own budget lets through is ended by the program, with the line") {
+TEST_CASE("lesson process: what its own budget lets through the program ends, with the line") {
     const LessonFolder folder;
     folder.write("lesson.lua", lesson_text("function L:update()\n while true do end\nend"));
     LessonProcessOptions options = LessonFolder::options();
@@ -394,6 +391,3 @@ end)");
     CHECK(runs[0] == runs[1]);
     CHECK(runs[0] == runs[2]);
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

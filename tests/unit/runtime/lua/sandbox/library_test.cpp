@@ -1,28 +1,10 @@
 // The modules of scripts/lib, run in a lesson as teachers use them.
 #include "tests/unit/runtime/lua/lesson_player.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
 #include <numbers>
 
-namespace fulcrum::runtime {
-namespace {
-
-using test::lesson_text;
-using test::LessonFolder;
-using test::Player;
-
-constexpr const char* kStory = R"(
-local story = require "story"
-local wait, wait_for = story.wait, story.wait_for
-L:question "q" { prompt = "?", answers = { "{thing}" }, right = function(a) return true end }
-function L:start(world)
-  local apple = world:body { name = "apple", movable = true }
-  local egg = world:body { name = "egg", movable = true }
-  world:bucket {}
-  story(L, function()
-)";
+using namespace fulcrum::runtime::test;
 
 TEST_CASE("story: goes from wait to wait, by seconds and by events") {
     Player player;
@@ -60,9 +42,7 @@ end)");
     CHECK(player.error.empty());
 }
 
-TEST_CASE(
-    "story: asks, waits for a condition, and runs beside another and beside the lesson's own "
-    "functions") {
+TEST_CASE("story: asks, waits for a condition, beside another and the lesson's own functions") {
     Player player;
     player.start(std::string(kStory) + R"(
     local a = story.ask(world, "q")
@@ -110,87 +90,7 @@ function L:key(name) self.holds = name == "down" end)");
     CHECK(player.prints == "false;true;held;let go;");
 }
 
-TEST_CASE("story: a mistake in the story has file and line") {
-    const LessonFolder folder;
-    const auto sentence = [&](const std::string& line) {
-        auto process = folder.start(lesson_text(std::string(kStory) + line + " end) end"));
-        return process ? std::string("started") : to_sentence(process.error());
-    };
-    CHECK(
-        sentence("wait_for 'cought'") ==
-        "lesson.lua:11: story.wait_for knows caught, landed, touched, released, key and answered; "
-        "got the text \"cought\".");
-    CHECK(sentence("local x = nil + 1") ==
-          "lesson.lua:11: attempt to perform arithmetic on a nil value.");
-    CHECK(sentence("world:caption(3)") ==
-          "lesson.lua:11: world:caption is a text of at most 1000 letters; got 3.");
-}
-
-TEST_CASE("story: what it is given wrong is told at the lesson's line, not the library's") {
-    const LessonFolder folder;
-    const auto sentence = [&](const std::string& line) {
-        auto process = folder.start(lesson_text(std::string(kStory) + line + " end) end"));
-        return process ? std::string("started") : to_sentence(process.error());
-    };
-    CHECK(sentence("story.wait()") == "lesson.lua:11: story.wait takes seconds; got nothing.");
-    CHECK(sentence("wait('four')") ==
-          "lesson.lua:11: story.wait takes seconds; got the text \"four\".");
-    CHECK(sentence("story.wait_until(3)") ==
-          "lesson.lua:11: story.wait_until takes a function; got 3.");
-    CHECK(sentence("story.waitfor { 'caught' }") ==
-          "lesson.lua:11: story has no waitfor; did you mean wait_for?");
-    CHECK(sentence("local x = story[3]") == "lesson.lua:11: story has no 3.");
-    CHECK(sentence("story.ask 'thick'") ==
-          "lesson.lua:11: story.ask takes the world and the name of a question, story.ask(world, "
-          "\"heaviest\"); got the text \"thick\" and nothing.");
-    CHECK(sentence("story.ask(world, 'nothing')") ==
-          "lesson.lua:11: there is no question \"nothing\".");
-    CHECK(sentence("wait_for()") ==
-          "lesson.lua:11: story.wait_for takes the name of an event, such as \"caught\"; got "
-          "nothing.");
-    CHECK(sentence("wait_for { 'caught', boddy = egg }") ==
-          "lesson.lua:11: story.wait_for: no event \"caught\" has boddy = egg; an event has body, "
-          "speed or key, and timeout is in seconds.");
-    CHECK(
-        sentence("wait_for { 'caught', body = 'egg' }") ==
-        "lesson.lua:11: story.wait_for: no event \"caught\" has body = the text \"egg\"; an event "
-        "has body, speed or key, and timeout is in seconds.");
-    CHECK(sentence("wait_for { 'caught', timeout = 'x' }") ==
-          "lesson.lua:11: story.wait_for's timeout is seconds; got the text \"x\".");
-    CHECK(sentence("wait_for { 'key', 'answered', thing = 'egg' }") == "started");
-    CHECK(sentence("local function deep() wait() end deep()") ==
-          "lesson.lua:11: story.wait takes seconds; got nothing.");
-}
-
-TEST_CASE("story: outside a story nothing waits, and a story needs its lesson") {
-    const LessonFolder folder;
-    const auto sentence = [&](const std::string& line) {
-        auto process =
-            folder.start(lesson_text("local story = require 'story'\nfunction "
-                                     "L:start(world) world:bucket {}\n" +
-                                     line + "\nend"));
-        return process ? std::string("started") : to_sentence(process.error());
-    };
-    CHECK(sentence("story.wait(1)") ==
-          "lesson.lua:4: story.wait belongs inside story(L, function() … end).");
-    CHECK(sentence("story.wait_for 'caught'") ==
-          "lesson.lua:4: story.wait_for belongs inside story(L, function() … end).");
-    CHECK(sentence("story(function() end)") == "lesson.lua:4: write story(L, function() … end).");
-}
-
 TEST_CASE("story: waiting for what can't come is a mistake") {
-    const LessonFolder folder;
-    const auto sentence = [&](const std::string& rest) {
-        auto process = folder.start(lesson_text(
-            "local story = require 'story'\nfunction L:start(world)\n story(L, function()\n  "
-            "story.wait_for 'caught'\n end)\n" +
-            rest + "\nend"));
-        return process ? std::string("started") : to_sentence(process.error());
-    };
-    CHECK(sentence("") ==
-          "lesson.lua:5: nothing can be caught without world:bucket; put a bucket on the tool in "
-          "L:start.");
-    CHECK(sentence("world:bucket {}") == "started");  // declared further down
     Player player;
     player.start(
         "local story = require 'story'\nfunction L:start(world) story(L, function()\n "
@@ -199,45 +99,6 @@ TEST_CASE("story: waiting for what can't come is a mistake") {
     CHECK(player.error ==
           "lesson.lua:4: nothing can be caught without world:bucket; put a bucket on the tool in "
           "L:start.");
-}
-
-TEST_CASE("motion: what it is given wrong is told at the hand's line, not the library's") {
-    const auto sentence = [](const std::string& line) {
-        Player player;
-        player.folder.write(
-            "hand.lua", "local motion = require 'motion'\nreturn motion.play(function(world)\n" +
-                            line + "\nend)");
-        player.start("function L:start(world) world:body { name = 'apple' } end", "hand.lua");
-        player.step();
-        return player.error;
-    };
-    CHECK(sentence("motion.moveto({ 0, 0, 0 }, 1)") ==
-          "hand.lua:3: motion has no moveto; did you mean move_to?");
-    CHECK(sentence("motion.wait()") == "hand.lua:3: motion.wait takes seconds; got nothing.");
-    CHECK(sentence("motion.move_to({ 0, 1 }, 1)") ==
-          "hand.lua:3: motion.move_to takes a place of three numbers, { x, y, z }; got { 0, 1, "
-          "nothing }.");
-    CHECK(sentence("motion.move_to(3, 1)") ==
-          "hand.lua:3: motion.move_to takes a place, { x, y, z }, a body or the tool; got 3.");
-    CHECK(sentence("motion.move_to({ 0, 1, 0 })") ==
-          "hand.lua:3: motion.move_to's second value takes seconds; got nothing.");
-    CHECK(sentence("motion.wait_until(true)") ==
-          "hand.lua:3: motion.wait_until takes a function; got true.");
-    CHECK(sentence("motion.follow 'apple'") ==
-          "hand.lua:3: motion.follow takes a body; got the text \"apple\".");
-    CHECK(sentence("motion.follow(world:find 'apple', { second = 3 })") ==
-          "hand.lua:3: motion.follow has no second; did you mean seconds?");
-    CHECK(sentence("motion.follow(world:find 'apple', { until_ = 3 })") ==
-          "hand.lua:3: motion.follow's until_ is a function; got 3.");
-    CHECK(sentence("motion.move_to({ 0, 0, -20000 }, 1)") ==
-          "hand.lua:3: motion.move_to goes at most 10000 metres far along each axis; got -20000.");
-    CHECK(sentence("motion.turn_to({ 0, 0, 4000 }, 1)") ==
-          "hand.lua:3: motion.turn_to turns by at most 3600 degrees; got 4000.");
-    CHECK(sentence("motion.turn_to(30, 1)") ==
-          "hand.lua:3: motion.turn_to takes degrees about a direction, such as { 0, 0, 30 }; got "
-          "30.");
-    CHECK(sentence("motion.press(-1)") == "hand.lua:3: motion.press takes 0, 1, 2 or 3; got -1.");
-    CHECK(sentence("motion.move_to(world:find 'apple', 1)") == "");
 }
 
 TEST_CASE("motion: moves with least jerk, waits, follows and presses") {
@@ -305,6 +166,3 @@ TEST_CASE("motion: following covers the same share whatever the frame rate") {
     CHECK(distance_after(0.05) == Approx(std::exp(-12 * 0.25)));
     CHECK(distance_after(0.0125) == Approx(std::exp(-12 * 0.25)));
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

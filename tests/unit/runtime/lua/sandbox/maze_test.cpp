@@ -1,29 +1,15 @@
 // scripts/lib/maze.lua, run in a lesson as teachers use it.
 #include "tests/unit/runtime/lua/lesson_folder.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
+using namespace fulcrum::runtime::test;
 
-#include <string>
-
-namespace fulcrum::runtime {
 namespace {
-
-using test::lesson_text;
-using test::LessonFolder;
 
 /// What the lines print while the lesson begins; the error's sentence when they raise one.
 std::string printed(const std::string& lines) {
-    const LessonFolder folder;
-    auto process = folder.start(
-        lesson_text("local maze = require 'maze'\nfunction L:start(world)\n" + lines + "\nend"));
-    if (!process) {
-        return to_sentence(process.error());
-    }
-    std::string prints;
-    for (const std::string& line : (*process)->prints_while_loading()) {
-        prints += line + ';';
-    }
-    return prints;
+    return LessonFolder().begin("local maze = require 'maze'\nfunction L:start(world)\n" + lines +
+                                "\nend");
 }
 
 // A graph without circles that joins n cells has n - 1 ways (a tree); ways go both ways.
@@ -50,9 +36,9 @@ local function check(garden)
 end
 )";
 
-TEST_CASE(
-    "maze: whatever the seed, each cell is reached from each other in one way, and there are dead "
-    "ends enough") {
+}  // namespace
+
+TEST_CASE("maze: whatever the seed, each cell is reached in one way, with dead ends enough") {
     CHECK(printed(kIsTree + R"(
 for seed = 0, 11 do
   local garden = maze.make { columns = 7, rows = 5, seed = seed, dead_ends = 7 }
@@ -112,31 +98,3 @@ for seed = 1, 5 do
 end
 print "all")") == "all;");
 }
-
-TEST_CASE("maze: what cannot be is one sentence at the lesson's line") {
-    const auto refused = [](const std::string& call, const std::string& words) {
-        const std::string text = printed(call);
-        INFO(text);
-        CHECK(text.find("lesson.lua:4: ") == 0);
-        CHECK(text.find(words) != std::string::npos);
-    };
-    refused("maze.make { columns = 1 }", "2 columns and 2 rows at least");
-    refused("maze.make { columns = 21, rows = 20 }", "200 cells at most");
-    refused("maze.make { columns = math.maxinteger, rows = 2 }", "200 cells at most");
-    refused("maze.make { columns = 2.5 }", "columns is a whole number; got 2.5");
-    refused("maze.make { colums = 5 }", "did you mean columns?");
-    refused("maze.make { columns = 2, rows = 2, dead_ends = 5 }", "no room for 5 dead ends");
-    refused("maze.make(7)", "maze.make takes { columns = 7");
-    refused("maze.ways(5, 1)", "takes what maze.make gave");
-    refused("maze.ways(maze.make {}, 36)", "takes a cell from 1 to 35; got 36");
-    refused("maze.leads(maze.make {}, 1, 'north')",
-            "takes \"left\", \"right\", \"up\" or \"down\"");
-    refused(
-        "maze.walls(maze.make {}, { cell = 1, thick = 1, high = 1 }, { { cell = 1, direction = "
-        "'east' } })",
-        "maze.walls's gate takes \"left\"");
-    refused("maze.walls(maze.make {}, { cell = 1 })", "takes { cell = 0.12");
-}
-
-}  // namespace
-}  // namespace fulcrum::runtime

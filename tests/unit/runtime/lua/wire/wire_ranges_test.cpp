@@ -2,21 +2,13 @@
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/wire/wire.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
-
-#include <catch2/catch.hpp>
+#include "tests/unit/runtime/rig.h"
 
 #include <cstdio>
-#include <map>
-#include <memory>
-#include <set>
-#include <span>
-#include <string>
-#include <string_view>
 
-namespace fulcrum::runtime {
+using namespace fulcrum::runtime::test;
+
 namespace {
-
-using fulcrum::runtime::test::HostedLesson;
 
 constexpr std::size_t kHead = 5;  // length and kind
 
@@ -193,6 +185,8 @@ struct Trial {
     }
 };
 
+}  // namespace
+
 TEST_CASE("wire: what a row of the table allows is carried, or refused in the lesson's own line") {
     Trial trial;
     for (const Binding& binding : api_table().functions) {
@@ -217,6 +211,3 @@ TEST_CASE("wire: what a row of the table allows is carried, or refused in the le
     // Far more than these few are tried.
     CHECK(trial.carried.size() > 50);
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

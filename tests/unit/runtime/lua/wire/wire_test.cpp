@@ -1,26 +1,20 @@
 #include "runtime/lua/wire/wire.h"
 
 #include "tests/support/wire_messages.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <limits>
 #include <random>
 
-namespace fulcrum::runtime {
-namespace {
-
+using namespace fulcrum::runtime::test;
 using fulcrum::test::full_description;
 using fulcrum::test::full_error;
 using fulcrum::test::full_frame;
 using fulcrum::test::full_load;
 using fulcrum::test::full_module_answer;
 using fulcrum::test::full_reply;
+
+namespace {
 
 constexpr std::size_t kHead = 5;  // length and kind
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -35,6 +29,31 @@ Bytes bytes_of(const Message& message) {
 std::span<const std::uint8_t> body_of(const Bytes& bytes) {
     return std::span(bytes).subspan(kHead);
 }
+
+/// What the fuzzer begins with: the kind of a message and its body, without the length.
+std::vector<std::pair<std::string, Bytes>> seeds() {
+    std::vector<std::pair<std::string, Bytes>> all = {
+        {"description", bytes_of(full_description())},
+        {"reply", bytes_of(full_reply())},
+        {"frame", bytes_of(full_frame())},
+        {"load", bytes_of(full_load())},
+        {"module_answer", bytes_of(full_module_answer())},
+        {"error", bytes_of(full_error())}};
+    for (auto& [name, bytes] : all) {
+        bytes.erase(bytes.begin(), bytes.begin() + sizeof(std::uint32_t));
+    }
+    return all;
+}
+
+/// One command, as the child would send it, taken in by the program.
+Expected<LessonReply> take(const LessonCommand& command) {
+    LessonReply reply;
+    reply.commands.push_back(command);
+    const Bytes bytes = bytes_of(reply);
+    return decode_reply(body_of(bytes), full_description());
+}
+
+}  // namespace
 
 TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     // Compared by encoding again: every field is in the bytes.
@@ -97,21 +116,6 @@ TEST_CASE("wire: the small messages come back as they were") {
     CHECK(to_sentence(to_error(*error)) == "lesson.lua:12: wrong.");
 }
 
-/// What the fuzzer begins with: the kind of a message and its body, without the length.
-std::vector<std::pair<std::string, Bytes>> seeds() {
-    std::vector<std::pair<std::string, Bytes>> all = {
-        {"description", bytes_of(full_description())},
-        {"reply", bytes_of(full_reply())},
-        {"frame", bytes_of(full_frame())},
-        {"load", bytes_of(full_load())},
-        {"module_answer", bytes_of(full_module_answer())},
-        {"error", bytes_of(full_error())}};
-    for (auto& [name, bytes] : all) {
-        bytes.erase(bytes.begin(), bytes.begin() + sizeof(std::uint32_t));
-    }
-    return all;
-}
-
 // With FULCRUM_WRITE_SEEDS set they are written anew first, for a new layout.
 TEST_CASE("wire: the fuzzer begins with messages of today's layout") {
     for (const auto& [name, bytes] : seeds()) {
@@ -140,14 +144,6 @@ TEST_CASE("wire: a message cut off anywhere, or longer than it says, is an error
     Bytes longer = reply;
     longer.push_back(0);
     CHECK_FALSE(decode_reply(body_of(longer), d));
-}
-
-/// One command, as the child would send it, taken in by the program.
-Expected<LessonReply> take(const LessonCommand& command) {
-    LessonReply reply;
-    reply.commands.push_back(command);
-    const Bytes bytes = bytes_of(reply);
-    return decode_reply(body_of(bytes), full_description());
 }
 
 TEST_CASE("wire: numbers, indices and names of a reply are checked") {
@@ -284,9 +280,7 @@ TEST_CASE("wire: contradictions of a description are found") {
     }));
 }
 
-TEST_CASE(
-    "wire: 200 000 damaged messages are refused or make sense, and a reply that is taken is within "
-    "all limits") {
+TEST_CASE("wire: 200 000 damaged messages are refused, or make sense within all limits") {
     const LessonDescription d = full_description();
     const Bytes whole = bytes_of(full_reply());
     const Bytes body(whole.begin() + kHead, whole.end());
@@ -348,6 +342,3 @@ TEST_CASE("wire: names and texts") {
     CHECK_FALSE(is_clean_utf8("\x1B"));
     CHECK_FALSE(is_clean_utf8("\x7F"));
 }
-
-}  // namespace
-}  // namespace fulcrum::runtime

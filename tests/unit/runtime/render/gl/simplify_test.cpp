@@ -1,12 +1,9 @@
 #include "runtime/render/gl/simplify.h"
 
 #include "runtime/render/scene/shapes.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

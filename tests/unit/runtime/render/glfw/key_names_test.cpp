@@ -1,14 +1,9 @@
 #include "runtime/render/glfw/key_names.h"
 
 #include "runtime/render/glfw/window.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cstdlib>
-#include <string>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 // GLFW's numbers for keys are those of its documentation; its header stays in its folder.
 TEST_CASE("keys: names as lessons know them") {

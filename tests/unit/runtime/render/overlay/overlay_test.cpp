@@ -3,17 +3,12 @@
 #include "runtime/render/overlay/panels.h"
 #include "runtime/render/renderer.h"
 #include "tests/unit/runtime/render/overlay/overlay_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
-#include <vector>
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

@@ -4,13 +4,9 @@
 #include "runtime/render/overlay/panels.h"
 #include "runtime/render/renderer.h"
 #include "tests/unit/runtime/render/overlay/overlay_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <string>
-#include <vector>
-
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 
@@ -27,9 +23,7 @@ View asking_why(int n_shares) {
 
 }  // namespace
 
-TEST_CASE(
-    "why panel: it lies inside the picture and beside the others, wherever the words of before "
-    "are") {
+TEST_CASE("why panel: it lies in the picture beside the others, wherever the words before are") {
     Font font = andika();
     for (const auto& [width, height] : {std::pair{1280, 720},
                                         {1024, 768},
@@ -58,8 +52,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "why panel: every row and bar lies inside it, no row in another, and the words are not small") {
+TEST_CASE("why panel: each row and bar lies inside it, no row in another, and no word is small") {
     Font font = andika();
     const Measure measure(1280, 720);
     View view = asking_why(4);
@@ -134,8 +127,7 @@ TEST_CASE("why panel: it is there when it is asked for, and not over the stars o
     CHECK(layout.why.rows.empty() == (layout.why.box.width == 0.0F));
 }
 
-TEST_CASE(
-    "why panel: a bar is as long as its share, and what acts against begins at the other end") {
+TEST_CASE("why panel: a bar is as long as its share; what acts against begins at the other end") {
     Font font = andika();
     const Measure measure(1280, 720);
     const auto drawn = [&](double part, bool against) {

@@ -2,14 +2,11 @@
 
 #include "runtime/render/scene/arrow.h"
 #include "runtime/render/scene/light.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <limits>
 #include <numbers>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

@@ -1,14 +1,9 @@
 #include "runtime/render/scene/scene_content.h"
 
 #include "haptics/math/length.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <limits>
-
-using namespace fulcrum;
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

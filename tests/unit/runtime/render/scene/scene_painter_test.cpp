@@ -1,11 +1,10 @@
 #include "runtime/render/scene/scene_painter.h"
 
 #include "tests/unit/runtime/render/picture_fixture.h"
+#include "tests/unit/runtime/rig.h"
 
 #include <numbers>
 
-using namespace fulcrum;
-using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
 
 TEST_CASE("picture: what there is is seen, where and as it is") {

@@ -1,14 +1,11 @@
 #include "runtime/render/text/paragraph.h"
 
 #include "runtime/render/renderer.h"
+#include "tests/unit/runtime/rig.h"
 
-#include <catch2/catch.hpp>
-
-#include <filesystem>
 #include <random>
-#include <string>
 
-using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
 
 namespace {
 

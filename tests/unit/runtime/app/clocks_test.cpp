@@ -1,0 +1,307 @@
+#include "haptics/geometry/shape.h"
+#include "haptics/tool/tool_plan.h"
+#include "runtime/app/deadline_watch.h"
+#include "runtime/app/stage_clock.h"
+#include "tests/unit/runtime/rig.h"
+
+#include <chrono>
+#include <thread>
+
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+PlanStage stage(const char* loop, const char* name) {
+    return {loop, name, 1000.0, 0, "", 0};
+}
+
+Plan make_plan() {
+    Plan plan;
+    plan.stages = {stage("haptic", "read"),      stage("haptic", "estimate"),
+                   stage("haptic", "passivity"), stage("haptic", "limits"),
+                   stage("world", "falling"),    stage("world", "bucket"),
+                   stage("lesson", "lua")};
+    return plan;
+}
+
+const StageFigures* find(const Analysis& analysis, std::size_t index) {
+    for (const StageFigures& figures : analysis.stages) {
+        if (figures.stage == index) {
+            return &figures;
+        }
+    }
+    return nullptr;
+}
+
+constexpr double kDt_s = 0.001;
+constexpr DeadlinePeriods kPeriods{kDt_s, 0.005, 0.0, 1.0 / 60.0};
+
+DeadlineWatch make_watch() {
+    DeadlineWatch watch;
+    watch.begin(kPeriods);
+    return watch;
+}
+
+}  // namespace
+
+TEST_CASE("stage clock: each call is counted for its own stage, what is not in the plan for none") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    for (int i = 0; i < 5; ++i) {
+        clock.begin();
+        clock.passed(HapticStage::read);
+        clock.passed(HapticStage::proxy);  // not in this plan
+        clock.passed(HapticStage::estimate);
+        clock.begin();
+        clock.passed_world();
+    }
+    clock.begin();
+    clock.passed_lesson();
+    const Analysis analysis = clock.finish(1.5, 0.5);
+    CHECK(analysis.simulated_s == 1.5);
+    CHECK(analysis.wall_s == 0.5);
+    REQUIRE(analysis.stages.size() == 4);
+    CHECK(find(analysis, 0)->calls == 5);
+    CHECK(find(analysis, 1)->calls == 5);
+    CHECK(find(analysis, 4)->calls == 5);
+    CHECK(find(analysis, 5) == nullptr);
+    CHECK(find(analysis, 6)->calls == 1);
+}
+
+TEST_CASE("stage clock: what could run beside the tool is the contact stage's, not the tool's") {
+    Plan plan = make_plan();
+    plan.stages.push_back(stage("haptic", "tool"));
+    plan.stages.push_back({"contact", "finding", 2000.0, 0, "", 0});
+    StageClock clock(plan);
+    for (int i = 0; i < 4; ++i) {
+        clock.begin();
+        clock.begins_round();
+        std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        clock.ended_round();
+        clock.passed(HapticStage::tool);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    const StageFigures* const tool = find(analysis, 7);
+    const StageFigures* const contact = find(analysis, 8);
+    REQUIRE(tool != nullptr);
+    REQUIRE(contact != nullptr);
+    CHECK(contact->calls == 4);
+    CHECK(contact->median_us >= 2990.0);
+    CHECK(tool->total_us < 0.5 * contact->total_us);
+    // A thread would need so long, too: its answers would be as many steps old.
+    REQUIRE(contact->errors.size() == 2);
+    CHECK(contact->errors[0].value == Approx(1e6 / contact->p99_us));
+    CHECK(contact->errors[1].value >= 4.0);
+    // Without such a stage it is nobody's.
+    const Plan without = make_plan();
+    StageClock other(without);
+    other.begin();
+    other.begins_round();
+    other.ended_round();
+    CHECK(other.finish(1.0, 1.0).stages.empty());
+}
+
+TEST_CASE("stage clock: a stage that takes longer is said to take longer") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    for (int i = 0; i < 3; ++i) {
+        clock.begin();
+        clock.passed(HapticStage::read);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        clock.passed(HapticStage::estimate);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    CHECK(find(analysis, 1)->median_us >= 1990.0);
+    CHECK(find(analysis, 1)->total_us >= 3 * 1990.0);
+    CHECK(find(analysis, 0)->median_us < find(analysis, 1)->median_us);
+    CHECK(analysis.total_us() == Approx(find(analysis, 0)->total_us + find(analysis, 1)->total_us));
+}
+
+TEST_CASE("stage clock: a long run stays bounded, and every call counts") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    clock.begin();
+    const std::uint64_t n = 3 * StageClock::kMostCalls;
+    for (std::uint64_t i = 0; i < n; ++i) {
+        clock.passed(HapticStage::read);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    CHECK(find(analysis, 0)->calls == n);
+    CHECK(find(analysis, 0)->p99_us >= find(analysis, 0)->median_us);
+}
+
+TEST_CASE("stage clock: errors are what was compared, and stand with their stage") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    clock.begin();
+    clock.passed(HapticStage::estimate);
+    clock.passed(HapticStage::passivity);
+    clock.passed(HapticStage::limits);
+    HapticState state;
+    state.tool_twist_W.linear = {0.1, 0.0, 0.0};
+    state.commanded_W.force = {0.0, 4.0, 0.0};
+    state.applied_W.force = {0.0, 1.0, 0.0};
+    state.force_energy = {-0.001, 0.002, 0.003};
+    clock.compare(state, Vector3(0.1, 0.003, 0.0));
+    state.applied_W.force = {0.0, 0.0, 0.0};
+    clock.compare(state, Vector3(0.1, 0.001, 0.0));
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    const auto& velocity = find(analysis, 1)->errors;
+    REQUIRE(velocity.size() == 1);
+    CHECK(velocity[0].value == Approx(1e3 * std::sqrt((9e-6 + 1e-6) / 2.0)));
+    CHECK(velocity[0].unit == "mm/s");
+    const auto& energy = find(analysis, 2)->errors;
+    REQUIRE(energy.size() == 2);
+    CHECK(energy[0].value == Approx(2.0));
+    CHECK(energy[1].value == Approx(3.0));
+    const auto& withheld = find(analysis, 3)->errors;
+    REQUIRE(withheld.size() == 1);
+    CHECK(withheld[0].value == Approx(std::sqrt((9.0 + 16.0) / 2.0)));
+}
+
+TEST_CASE("stage clock: of a tool it tells what was looked at, was off and took too long") {
+    Plan plan = make_plan();
+    plan.haptic.rate_hz = 1000.0;
+    plan.stages.push_back(stage("haptic", "tool"));
+    StageClock clock(plan);
+    for (int i = 0; i < 4; ++i) {
+        clock.begin();
+        std::this_thread::sleep_for(std::chrono::microseconds(i == 0 ? 2000 : 0));
+        clock.passed(HapticStage::tool);
+        HapticState state;
+        state.tool = {.n_looks = 3 + i,
+                      .n_points = 9000 - 1000 * i,
+                      .error_N = 0.0,
+                      .most_error_N = 0.02 * i};
+        clock.compare(state, std::nullopt);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    const StageFigures* const tool = find(analysis, plan.stages.size() - 1);
+    REQUIRE(tool != nullptr);
+    CHECK(tool->calls == 4);
+    REQUIRE(tool->errors.size() == 4);
+    CHECK(tool->errors[0].value == Approx(0.06));
+    CHECK(tool->errors[0].unit == "N");
+    CHECK(tool->errors[1].value == Approx(9.0));
+    CHECK(tool->errors[2].value == 6.0);
+    CHECK(tool->errors[3].value >= 25.0);
+    CHECK(tool->errors[3].against == "500 us");
+}
+
+TEST_CASE("stage clock: a tool's force is told with the bound that its method has, or none") {
+    const auto find_error = [](ToolPlan tool) {
+        Plan plan = make_plan();
+        plan.haptic.tool = std::make_shared<const ToolPlan>(std::move(tool));
+        plan.stages.push_back(stage("haptic", "tool"));
+        StageClock clock(plan);
+        clock.begin();
+        clock.passed(HapticStage::tool);
+        clock.compare(HapticState{}, std::nullopt);
+        return find(clock.finish(1.0, 1.0), plan.stages.size() - 1)->errors.front();
+    };
+    const auto cube = GodSurface::create(make_box({0.04, 0.04, 0.04}).value());
+    ToolPlan god{.objects = std::vector<GodObjectPlan>{{cube, cube}}};
+    god.settings.coupling.shift.stiffness_N_per_m = 700.0;
+    // A gap at rest of a micrometre.
+    CHECK(find_error(god).value == Approx(7.0e-4));
+    CHECK(find_error(god).unit == "N");
+    std::get<std::vector<GodObjectPlan>>(god.objects).front().friction = {0.5, 0.4, 0.0};
+    CHECK(std::isnan(find_error(god).value));
+    ToolPlan penalty;
+    penalty.penalty.emplace();
+    CHECK(std::isnan(find_error(penalty).value));
+    // Of points that are all looked at nothing is left out.
+    CHECK(find_error(ToolPlan{}).value == 0.0);
+}
+
+TEST_CASE("stage clock: it knows whether the hand moved at all") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    HapticState state;
+    state.tool_pose_W.position = {0.1, 0.2, 0.3};
+    clock.compare(state, std::nullopt);
+    clock.compare(state, std::nullopt);
+    CHECK_FALSE(clock.hand_moved());
+    state.tool_pose_W.position.x() += 1e-6;
+    clock.compare(state, std::nullopt);
+    state.tool_pose_W.position.x() -= 1e-6;
+    clock.compare(state, std::nullopt);
+    CHECK(clock.hand_moved());
+}
+
+TEST_CASE("stage clock: a hand whose speed nobody knows has no error of velocity") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    clock.begin();
+    clock.passed(HapticStage::estimate);
+    clock.compare(HapticState{}, std::nullopt);
+    CHECK(find(clock.finish(1.0, 1.0), 1)->errors.empty());
+}
+
+TEST_CASE("deadlines: what comes in its time is met, and counted") {
+    DeadlineWatch watch = make_watch();
+    long frame = 0;
+    for (int tick = 0; tick < 10000; ++tick) {
+        const double now_s = kDt_s * tick;
+        if (now_s * 60.0 >= static_cast<double>(frame) - 1e-9) {
+            watch.passed(Deadline::frame, now_s, now_s);
+            ++frame;
+        }
+        watch.hands_stepped(now_s, 0.0, {}, now_s);
+        if (tick % 5 == 0) {
+            watch.passed(Deadline::world, now_s, now_s);
+        }
+    }
+    CHECK(watch.n_broken() == 0);
+    CHECK(watch.broken() == Deadline::none);
+    CHECK(watch.n_met(Deadline::hands) == 9999);
+    CHECK(watch.n_met(Deadline::world) >= 1990);
+    CHECK(watch.n_met(Deadline::frame) >= 590);
+    CHECK(watch.n_met(Deadline::command) == 8500);
+    CHECK(watch.n_met(Deadline::kite) == 0);
+}
+
+TEST_CASE("deadlines: a round that is left out is told, a clock that jumped is not") {
+    DeadlineWatch watch = make_watch();
+    watch.hands_stepped(1.000, 0.0, {}, 0.0);
+    watch.hands_stepped(1.001, 0.0, {}, 0.0);
+    watch.hands_stepped(1.502, 0.5, {}, 0.0);
+    CHECK(watch.n_broken() == 0);
+    watch.hands_stepped(1.504, 0.0, {}, 0.0);
+    CHECK(watch.n_broken() == 1);
+    CHECK(watch.broken() == Deadline::hands);
+    CHECK(watch.broken_at_s() == 1.504);
+}
+
+TEST_CASE("deadlines: a world or a frame is late only while nobody keeps it back") {
+    for (const Deadline what : {Deadline::world, Deadline::frame}) {
+        DeadlineWatch watch = make_watch();
+        watch.passed(what, 1.0, 1.0);
+        watch.passed(what, 1.1, 0.0);  // kept back
+        watch.passed(what, 1.2, 0.004);
+        CHECK(watch.n_broken() == 0);
+        watch.passed(what, 1.3, 0.1);
+        CHECK(watch.n_broken() == 1);
+        CHECK(watch.broken() == what);
+    }
+}
+
+TEST_CASE("deadlines: who is told to be late with nothing broken is late") {
+    for (const Fault fault : {Fault::device_read, Fault::device_stale, Fault::command_stale,
+                              Fault::device_write, Fault::record_full}) {
+        DeadlineWatch watch = make_watch();
+        HapticState state;
+        state.faults = fault | Fault::hand_too_fast;
+        watch.hands_stepped(1.0, 0.0, state, 0.5 * DeadlineWatch::kSettle_s);
+        CHECK(watch.n_broken() == 0);
+        watch.hands_stepped(1.001, 0.0, state, DeadlineWatch::kSettle_s);
+        CHECK(watch.n_broken() == 1);
+        CHECK(watch.broken() == Deadline::command);
+    }
+    // What a hand or a person does breaks none.
+    DeadlineWatch watch = make_watch();
+    HapticState state;
+    state.faults = Fault::hand_too_fast | Fault::emergency_stop | Fault::too_much_energy;
+    watch.hands_stepped(1.0, 0.0, state, 5.0);
+    CHECK(watch.n_broken() == 0);
+}

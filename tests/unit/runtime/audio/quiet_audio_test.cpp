@@ -1,0 +1,178 @@
+#include "runtime/audio/null/null_player.h"
+#include "runtime/audio/openal/openal_microphone.h"
+#include "runtime/audio/openal/openal_player.h"
+#include "runtime/audio/openal/quiet_backends.h"
+#include "runtime/audio/recorded_microphone.h"
+#include "runtime/audio/sound_player.h"
+#include "tests/unit/runtime/rig.h"
+
+#include <cstdio>
+#include <numeric>
+#include <unistd.h>
+
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+struct Recording {
+    double now_s = 5.0;
+    std::vector<std::int16_t> samples = std::vector<std::int16_t>(1600);
+    RecordedMicrophone microphone;
+    std::array<std::int16_t, 4000> read{};
+
+    explicit Recording(RecordedMicrophoneSettings settings = {})
+        : microphone(counted(), with_clock(std::move(settings))) {}
+    std::size_t at(double time_s) {
+        now_s = 5.0 + time_s;
+        return microphone.read(read).value();
+    }
+
+  private:
+    std::vector<std::int16_t> counted() {
+        std::iota(samples.begin(), samples.end(), std::int16_t{1});
+        return samples;
+    }
+    RecordedMicrophoneSettings with_clock(RecordedMicrophoneSettings settings) {
+        settings.now_s = [this] { return now_s; };
+        return settings;
+    }
+};
+
+/// Bytes that `action` wrote to standard error, by whatever library.
+template <class Action>
+long written_to_stderr(Action action) {
+    std::FILE* captured = std::tmpfile();
+    REQUIRE(captured != nullptr);
+    std::fflush(stderr);
+    const int saved = ::dup(2);
+    ::dup2(::fileno(captured), 2);
+    action();
+    std::fflush(stderr);
+    ::dup2(saved, 2);
+    ::close(saved);
+    const long written = ::lseek(::fileno(captured), 0, SEEK_END);
+    std::fclose(captured);
+    return written;
+}
+
+}  // namespace
+
+TEST_CASE("null player: counts what it was asked for and refuses what a real one would") {
+    auto player = NullPlayer::open({{"pop", "click"}, true, 1.0});
+    REQUIRE(player.has_value());
+    SoundPlayer& face = **player;
+    CHECK(face.play("pop"));
+    CHECK(face.play("pop", 0.5, 2.0));
+    CHECK_FALSE(face.play("pop", 2.0, 1.0));
+    CHECK_FALSE(face.play("finish"));
+    face.set_force_sound(2.5);
+    CHECK((*player)->plays("pop") == 2);
+    CHECK((*player)->plays("click") == 0);
+    CHECK((*player)->force_N() == 2.5);
+    face.stop();
+    CHECK((*player)->force_N() == 0.0);
+    CHECK_FALSE(face.audible());
+}
+
+TEST_CASE("sound player: unknown names at opening are errors for every kind") {
+    const SoundSettings settings{{"click", "moo"}, true, 1.0};
+    CHECK_FALSE(open_sound_player(settings));
+    CHECK_FALSE(open_openal_loopback(settings));
+    CHECK_FALSE(NullPlayer::open(settings));
+    CHECK_FALSE(NullPlayer::open({{}, true, 1.5}));
+    CHECK_FALSE(NullPlayer::open({{}, true, std::nan("")}));
+}
+
+TEST_CASE("sound player: without a sound card there is a silent player and a sentence") {
+    auto opened = open_sound_player({});
+    REQUIRE(opened.has_value());
+    REQUIRE(opened->player != nullptr);
+    CHECK(opened->player->audible() == opened->notice.empty());
+    CHECK(opened->notice.find('\n') == std::string::npos);
+    CHECK(opened->player->play("click"));
+    CHECK_FALSE(opened->player->play("moo"));
+    opened->player->set_force_sound(2.0);
+    opened->player->update(0.01);
+    opened->player->stop();
+}
+
+// A machine for tests seldom has one; ear_test.cpp hears recordings that play its part.
+TEST_CASE("openal microphone: it opens and never waits, or there is one sentence") {
+    const OpenMicrophone open = microphone_opener();
+    for (int i = 0; i < 2; ++i) {
+        auto microphone = open();
+        if (!microphone) {
+            CHECK(to_sentence(microphone.error()) ==
+                  "no microphone was found; plug one in, or type.");
+            continue;
+        }
+        std::array<std::int16_t, 160> samples{};
+        const auto n = (*microphone)->read(samples);
+        REQUIRE(n);
+        CHECK(*n <= samples.size());
+    }
+}
+
+TEST_CASE("recorded microphone: gives what is due since the last time, silence behind its end") {
+    Recording recording;
+    CHECK(recording.at(0.0) == 0);
+    CHECK(recording.at(0.01) == 160);
+    CHECK(recording.read[0] == 1);
+    CHECK(recording.read[159] == 160);
+    CHECK(recording.at(0.01) == 0);
+    CHECK(recording.at(0.03) == 320);
+    CHECK(recording.read[0] == 161);
+    CHECK(recording.at(0.11) == 1280);
+    CHECK(recording.read[1119] == 1600);
+    CHECK(recording.read[1120] == 0);
+}
+
+TEST_CASE("recorded microphone: what does not fit comes next; quicker than time when asked") {
+    Recording recording({.speed = 10.0});
+    CHECK(recording.at(0.1) == 4000);
+    CHECK(recording.at(0.1) == 4000);
+    CHECK(recording.at(0.1) == 4000);
+    CHECK(recording.at(0.1) == 4000);
+    CHECK(recording.at(0.1) == 0);
+}
+
+TEST_CASE("recorded microphone: unplugged at its time, and for good") {
+    Recording recording({.unplugged_at_s = 0.5});
+    CHECK(recording.at(0.25) == 4000);
+    recording.now_s = 5.5;
+    CHECK_FALSE(recording.microphone.read(recording.read));
+    recording.now_s = 6.0;
+    const auto gone = recording.microphone.read(recording.read);
+    REQUIRE_FALSE(gone);
+    CHECK(to_sentence(gone.error()).find("unplugged") != std::string::npos);
+}
+
+TEST_CASE("quiet backends: looking for a sound card writes nothing to the terminal") {
+    // The measure itself works.
+    CHECK(written_to_stderr([] { std::fputs("four", stderr); }) == 4);
+    CHECK(written_to_stderr([] { (void)open_openal_device({}); }) == 0);
+}
+
+TEST_CASE("quiet backends: a log level that the user has set is kept") {
+    quieten_backends();
+    REQUIRE(std::getenv("ALSOFT_LOGLEVEL") != nullptr);
+    ::setenv("ALSOFT_LOGLEVEL", "2", 1);
+    quieten_backends();
+    CHECK(std::getenv("ALSOFT_LOGLEVEL") == std::string("2"));
+    ::setenv("ALSOFT_LOGLEVEL", "0", 1);
+}
+
+TEST_CASE("quiet backends: OpenAL finds short periods in the file that it reads last") {
+    ask_for_short_periods();
+    const char* name = std::getenv("ALSOFT_CONF");
+    REQUIRE(name != nullptr);
+    std::ifstream file(name);
+    std::string line;
+    std::set<std::string> lines;
+    while (std::getline(file, line)) {
+        lines.insert(line);
+    }
+    CHECK(lines == std::set<std::string>{"[general]", "period_size = 256", "periods = 3"});
+    ask_for_short_periods();
+    CHECK(std::getenv("ALSOFT_CONF") == std::string(name));
+}

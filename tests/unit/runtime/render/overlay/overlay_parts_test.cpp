@@ -1,0 +1,224 @@
+#include "runtime/render/overlay/measure.h"
+#include "runtime/render/overlay/microphone.h"
+#include "runtime/render/overlay/overlay_pass.h"
+#include "runtime/render/overlay/panels.h"
+#include "runtime/render/renderer.h"
+#include "tests/unit/runtime/render/overlay/overlay_fixture.h"
+#include "tests/unit/runtime/render/picture_fixture.h"
+#include "tests/unit/runtime/rig.h"
+
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+const Measure kMeasure(1280, 720);
+constexpr Point2 kRightMiddle{600.0F, 400.0F};
+
+std::vector<OverlayCorner> drawn(const ViewMicrophone& microphone) {
+    Font font(RendererSettings{}.font_folder);
+    DrawList list(font);
+    draw_microphone(list, kRightMiddle, kMeasure, microphone);
+    return list.corners();
+}
+
+// How high the bars stand above their middle, right of the microphone itself.
+float bars_px(double level) {
+    float top = kRightMiddle[1];
+    for (const OverlayCorner& corner : drawn({true, false, level, {}})) {
+        const bool is_bar = corner.x > kRightMiddle[0] - kMeasure.px(45.0F);
+        top = is_bar ? std::min(top, corner.y) : top;
+    }
+    return kRightMiddle[1] - top;
+}
+
+PanelLayout laid_out(const View& view) {
+    Font font(RendererSettings{}.font_folder);
+    return lay_out_panels(view, font, kMeasure);
+}
+
+}  // namespace
+
+TEST_CASE("panels: choices stand above the typed line, apart, each with room for its picture") {
+    Font font = andika();
+    View view = busy();
+    view.banner.clear();
+    view.input.clear();
+    view.caption = "Which one is the heaviest?";
+    view.feedback = "Not yet. Lift both again.";
+    for (const char* said : {"The watermelon is the heaviest.", "The apple is the heaviest.",
+                             "The egg is the heaviest.", "The banana is the heaviest."}) {
+        view.choices.push_back({said, "apple"});
+    }
+    for (const int width : {1280, 800, 1920}) {
+        const Measure measure(width, width * 9 / 16);
+        const PanelLayout layout = lay_out_panels(view, font, measure);
+        REQUIRE(layout.choices.size() == 4);
+        float below = layout.input.box.y;
+        for (std::size_t i = 4; i-- > 0;) {
+            const Panel& choice = layout.choices[i];
+            CHECK(inside(choice.box, measure));
+            CHECK(choice.box.bottom() <= below);
+            below = choice.box.y;
+            const Box picture = choice_picture(choice, measure);
+            CHECK(picture.x >= choice.box.x);
+            CHECK(picture.right() < choice.box.x + 0.25F * choice.box.width);
+            CHECK(picture.bottom() <= choice.box.bottom() + 0.01F);
+        }
+        CHECK(layout.caption.box.bottom() <= below);
+        for (const Panel* other :
+             {&layout.caption, &layout.feedback, &layout.level, &layout.score}) {
+            for (const Panel& choice : layout.choices) {
+                CHECK_FALSE(overlap(choice.box, other->box));
+            }
+        }
+    }
+    view.input_visible = false;
+    CHECK(lay_out_panels(view, font, Measure(1280, 720)).choices.empty());
+}
+
+TEST_CASE("panels: a hint is read from its first letter to its last, however short the line") {
+    Font font = andika();
+    View view;
+    view.input_visible = true;
+    view.microphone.visible = true;
+    view.microphone.words = "Choose with the up and down arrows. Then press Enter.";
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {800, 600}}) {
+        const PanelLayout layout = lay_out_panels(view, font, Measure(width, height));
+        const auto& letters = layout.input.words.lines.front().letters;
+        INFO(width << " x " << height);
+        REQUIRE_FALSE(letters.empty());
+        CHECK(letters.front().character == U'C');
+        CHECK(letters.back().character == U'.');
+        CHECK(layout.input.words.width_px < layout.input.box.width);
+    }
+}
+
+TEST_CASE("microphone: it stays in its room, and its bars rise with the sound") {
+    for (const double level : {0.0, 0.5, 1.0}) {
+        for (const bool hears : {false, true}) {
+            for (const OverlayCorner& corner : drawn({true, hears, level, {}})) {
+                CHECK(corner.x > kRightMiddle[0] - microphone_width_px(kMeasure) - 3.0F);
+                CHECK(corner.x < kRightMiddle[0] + 3.0F);
+                CHECK(std::abs(corner.y - kRightMiddle[1]) < kMeasure.px(22.0F));
+            }
+        }
+    }
+    CHECK(bars_px(0.0) < kMeasure.px(4.0F));
+    CHECK(bars_px(0.5) > 2.0F * bars_px(0.0));
+    CHECK(bars_px(1.0) > 1.3F * bars_px(0.5));
+    CHECK(bars_px(7.0) == bars_px(1.0));
+    CHECK(bars_px(-1.0) == bars_px(0.0));
+}
+
+TEST_CASE("microphone: whether it takes in what is said is seen by shape, not by colour alone") {
+    CHECK(drawn({true, true, 0.0, {}}).size() > drawn({true, false, 0.0, {}}).size());
+}
+
+TEST_CASE("microphone: the line to type in says how to speak, until something is typed beside it") {
+    View view;
+    view.input_visible = true;
+    view.microphone = {true, false, 0.0, "Hold Control and speak, or type."};
+    CHECK(laid_out(view).input.words.width_px > kMeasure.px(300.0F));
+    view.input = "it";
+    CHECK(laid_out(view).input.words.width_px < kMeasure.px(60.0F));
+    // Long words leave the microphone its room.
+    view.input = std::string(300, 'a');
+    const float beside = laid_out(view).input.words.width_px;
+    view.microphone.visible = false;
+    CHECK(laid_out(view).input.words.width_px - beside >
+          microphone_width_px(kMeasure) - kMeasure.px(30.0F));
+}
+
+TEST_CASE("picture: panels and cards are where they are laid out, and told apart") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    runtime::View view = nothing();
+    SECTION("every panel changes its own place") {
+        const Image before = studio->draw(view);
+        const auto check = [&](const auto& tell, auto PanelLayout::*panel) {
+            runtime::View told = view;
+            tell(told);
+            const Box box = (panels_of(told).*panel).box;
+            const Image after = studio->draw(told);
+            const int inside = changed(before, after, box);
+            CHECK(inside > static_cast<int>(0.5F * box.width * box.height));
+            // Beyond its shadow nothing else changes.
+            CHECK(changed(before, after) <= changed(before, after, box.grown(20.0F)));
+        };
+        using View = runtime::View;
+        check([](View& v) { v.caption = "Catch the fruit."; }, &PanelLayout::caption);
+        check([](View& v) { v.feedback = "A melon is *the heaviest*."; }, &PanelLayout::feedback);
+        check([](View& v) { v.input_visible = true; }, &PanelLayout::input);
+        check([](View& v) { v.level = 2, v.level_title = "Three fruits"; }, &PanelLayout::level);
+        check([](View& v) { v.stars = 2; }, &PanelLayout::stars);
+    }
+    SECTION("a banner lies over a scene that is still seen") {
+        view.bodies = {body("red", {0.0, 0.3, 0.0})};
+        const Image before = studio->draw(view);
+        view.banner = "lesson.lua:3: something is wrong.";
+        view.banner_is_error = true;
+        const Image error = studio->draw(view);
+        CHECK(pixel_at(error, view, {0.0, 0.3, 0.1}) == pixel_at(before, view, {0.0, 0.3, 0.1}));
+        view.banner_is_error = false;
+        const Image notice = studio->draw(view);
+        CHECK(changed(error, notice, panels_of(view).banner.box) > 500);
+    }
+    SECTION("the menu shows cards instead of the scene, and which one is chosen") {
+        view.bodies = {body("red", {0.0, 0.4, 0.0})};
+        view.menu = {{"One", "A1", "red"}, {"Two", "A2", "green"}, {"Three", "B1", "nobody"}};
+        const Image first = studio->draw(view);
+        view.menu_selected = 2;
+        const Image last = studio->draw(view);
+        CHECK(changed(first, last) > 1000);
+        view.bodies.clear();
+        CHECK(studio->draw(view).rgba == last.rgba);
+        view.menu_selected = 1000;
+        CHECK(studio->draw(view).rgba == last.rgba);
+        // The icon of the first card is a red ball.
+        int red = 0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth / 2; ++x) {
+                const auto p = pixel(last, x, y);
+                red += p[0] > 120 && p[0] > 2 * p[1] ? 1 : 0;
+            }
+        }
+        CHECK(red > 500);
+    }
+}
+
+TEST_CASE("picture: words are told apart, and dark on light") {
+    const auto studio = open_studio();
+    if (!studio || !has_words()) {
+        return;
+    }
+    runtime::View view = nothing();
+    SECTION("score, stars and typed words are told apart") {
+        view.input_visible = true;
+        view.stars = 1;
+        const Image before = studio->draw(view);
+        runtime::View other = view;
+        other.score = 8;
+        CHECK(changed(before, studio->draw(other)) > 20);
+        other = view;
+        other.stars = 2;
+        CHECK(changed(before, studio->draw(other)) > 300);
+        other = view;
+        other.input = "the";
+        CHECK(changed(before, studio->draw(other)) > 60);
+    }
+    SECTION("emphasis changes words, and words are dark on light") {
+        view.feedback = "the heaviest";
+        const Image plain = studio->draw(view);
+        const Box box = panels_of(view).feedback.box;
+        int darkest = 765;
+        for (int x = static_cast<int>(box.x) + 40; x < static_cast<int>(box.right()); ++x) {
+            darkest =
+                std::min(darkest, brightness(pixel(plain, x, static_cast<int>(box.middle_y()))));
+        }
+        CHECK(darkest < 200);
+        view.feedback = "*the heaviest*";
+        CHECK(changed(plain, studio->draw(view)) > 100);
+    }
+}
