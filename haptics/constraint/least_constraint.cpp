@@ -77,6 +77,22 @@ Vector6 solve_lower(const Matrix6& R, int n, const Vector6& b) noexcept {
     return x;
 }
 
+// Until the first of n forces is none.
+struct PartialStep {
+    double until = std::numeric_limits<double>::infinity();
+    int first = -1;
+};
+
+PartialStep find_partial_step(int n, const Vector6& force, const Vector6& ratio) noexcept {
+    PartialStep step;
+    for (int j = 0; j < n; ++j) {
+        if (ratio[j] > 0.0 && force[j] / ratio[j] < step.until) {
+            step = {force[j] / ratio[j], j};
+        }
+    }
+    return step;
+}
+
 }  // namespace
 
 bool LeastConstraintSolver::set_inertia(double mass_kg, const Matrix3& inertia_W) noexcept {
@@ -214,18 +230,10 @@ bool LeastConstraintSolver::take(std::size_t k, double size, Vector6& at, double
         const double slack = row(k).dot(at) - least_[k];
         const double within = -slack > error * size ? error : std::max(error, kNearlyFollows);
         const bool follows = acting_.n == kMost || square <= within * within;
-        // Until the first force is none: the partial step.
-        double until = std::numeric_limits<double>::infinity();
-        int first = -1;
-        for (int j = 0; j < acting_.n; ++j) {
-            if (ratio[j] > 0.0 && acting_.force[j] / ratio[j] < until) {
-                until = acting_.force[j] / ratio[j];
-                first = j;
-            }
-        }
+        const PartialStep partial = find_partial_step(acting_.n, acting_.force, ratio);
         const double whole =
             follows ? std::numeric_limits<double>::infinity() : std::max(-slack, 0.0) / square;
-        const double step = std::min(until, whole);
+        const double step = std::min(partial.until, whole);
         if (!std::isfinite(step)) {
             return false;
         }
@@ -243,7 +251,7 @@ bool LeastConstraintSolver::take(std::size_t k, double size, Vector6& at, double
             acting_.force[place] = force;
             return true;
         }
-        drop(first);
+        drop(partial.first);
     }
     return false;
 }

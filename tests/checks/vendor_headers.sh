@@ -28,7 +28,7 @@ BEGIN {
     home["^catch2/"] = "^$"
     # Linux, glibc and the processor; the standard library has neither slash nor dot.
     home["^(sys|linux|arpa|netinet|net)/"] = "."
-    home["^(pthread|sched|spawn|elf|link|netdb|unistd|dirent|fcntl|poll|signal|time|pwd|grp|dlfcn|malloc|termios|immintrin|xmmintrin|emmintrin|x86intrin|cpuid)[.]h$"] = "."
+    home["^(pthread|sched|spawn|elf|link|netdb|unistd|dirent|fcntl|poll|signal|time|pwd|grp|dlfcn|malloc|termios|semaphore|immintrin|xmmintrin|emmintrin|x86intrin|cpuid)[.]h$"] = "."
     home["^[a-z_]+$"] = "."
 }
 {
