@@ -76,7 +76,10 @@ int await(pid_t child) {
 }  // namespace
 
 StageTeller::StageTeller(char* page, std::string subject)
-    : page_(page), subject_(std::move(subject)), began_s_(monotonic_now_s()) {
+    : page_(page),
+      subject_(std::move(subject)),
+      is_watched_(::isatty(STDERR_FILENO) == 1),
+      began_s_(monotonic_now_s()) {
     *page_ = '\0';
 }
 
@@ -84,7 +87,7 @@ void StageTeller::begin(const std::string& stage) {
     const std::size_t n = std::min(stage.size(), kMostBytes - 1);
     std::copy_n(stage.begin(), n, page_);
     page_[n] = '\0';
-    if (monotonic_now_s() - began_s_ > kTold_s) {
+    if (is_watched_ && monotonic_now_s() - began_s_ > kTold_s) {
         std::fprintf(stderr, "%s: %s …\n", subject_.c_str(), stage.c_str());
     }
 }

@@ -3,8 +3,8 @@
 //
 //   fork -> limits of processor time and of addresses -> work, which tells its stages -> its exit code
 //   ended by a signal -> the sentence, with the last stage that was told, and exit code 2
-// What it says goes where this process' words go. A stage that begins after kTold_s is told on the error output, so that long work shows
-// that it goes on. Ctrl-C and SIGTERM end both.
+// What it says goes where this process' words go. Somebody at a terminal is told of a stage that begins after kTold_s, so that long work
+// shows that it goes on. Ctrl-C and SIGTERM end both.
 //
 // Thread: one, and no other may run when it begins. Source: fork(2), setrlimit(2).
 #pragma once
@@ -29,6 +29,7 @@ class StageTeller {
   private:
     char* page_;
     std::string subject_;
+    bool is_watched_;
     double began_s_;
 };
 
