@@ -1,6 +1,7 @@
 #include "runtime/app/walled_work.h"
 
 #include "haptics/base/clock.h"
+#include "haptics/base/sanitized.h"
 #include "runtime/app/interrupt.h"
 
 #include <algorithm>
@@ -22,12 +23,6 @@
 
 namespace fulcrum::runtime {
 namespace {
-
-#if defined(FULCRUM_SANITIZED)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 
 constexpr int kOutOfMemory = 99;  // the work's own codes are smaller
 constexpr int kFailed = 2;

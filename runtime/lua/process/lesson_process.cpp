@@ -1,6 +1,7 @@
 #include "runtime/lua/process/lesson_process.h"
 
 #include "haptics/base/clock.h"
+#include "haptics/base/sanitized.h"
 #include "runtime/lua/process/child_process.h"
 #include "runtime/lua/process/lesson_sources.h"
 #include "runtime/lua/sandbox/sandbox.h"
@@ -13,11 +14,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-#if defined(FULCRUM_SANITIZED)
-constexpr double kSlowness = 10.0;  // a sanitizer's process needs a third of its time to start
-#else
-constexpr double kSlowness = 1.0;
-#endif
+constexpr double kSlowness = kSanitized ? 10.0 : 1.0;
 constexpr double kLookEvery_s = 0.02;  // between two looks at the clocks while waiting
 constexpr std::size_t kMaxLoadPrints = 200;
 

@@ -1,5 +1,7 @@
 #include "runtime/lua/sandbox/sandbox.h"
 
+#include "haptics/base/sanitized.h"
+
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -21,13 +23,6 @@
 
 namespace fulcrum::runtime {
 namespace {
-
-#if defined(FULCRUM_SANITIZED)
-constexpr bool kSanitized =
-    true;  // a sanitizer's shadow takes terabytes of address space, and it writes its findings
-#else
-constexpr bool kSanitized = false;
-#endif
 
 #if defined(__x86_64__)
 constexpr std::uint32_t kThisArchitecture = AUDIT_ARCH_X86_64;
