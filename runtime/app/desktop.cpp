@@ -11,9 +11,8 @@ namespace fulcrum::runtime {
 
 namespace {
 
-// A window that is hidden or minimised is not held back by the screen; it must not take a processor for itself.
-constexpr double kShortestFrame_s = 1.0 / 120.0;
-constexpr double kLongestFrame_s = 0.1;  // as sound is told
+constexpr double kDeskFrame_s = 1.0 / 120.0;  // twice a lesson's rate
+constexpr double kLongestFrame_s = 0.1;       // as sound is told
 
 }  // namespace
 
@@ -24,7 +23,7 @@ Expected<Desktop> Desktop::open(const Places& places, bool with_sound, const Voi
         return tl::unexpected(window.error());
     }
     desktop.window = std::move(*window);
-    auto picture = Picture::create(places);
+    auto picture = PictureThread::start(places, *desktop.window);
     if (!picture) {
         return tl::unexpected(picture.error());
     }
@@ -46,31 +45,22 @@ Expected<Desktop> Desktop::open(const Places& places, bool with_sound, const Voi
     return desktop;
 }
 
-void Desktop::draw(const View& view) {
-    picture->draw(view, window->width_px(), window->height_px());
-}
-
-MenuLayout Desktop::menu_layout(const View& view) const {
-    return picture->menu_layout(view, window->width_px(), window->height_px());
-}
-
 void Desktop::finish_frame() {
-    window->swap();
-    const double left_s = shown_s_ + kShortestFrame_s - monotonic_now_s();
+    const double left_s = finished_s_ + kDeskFrame_s - monotonic_now_s();
     if (left_s > 0.0) {
         std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
     }
     const double now_s = monotonic_now_s();
     if (sound) {
-        sound->update(std::min(now_s - shown_s_, kLongestFrame_s));
+        sound->update(std::min(now_s - finished_s_, kLongestFrame_s));
     }
     if (voice) {
-        voice->step(now_s - shown_s_);
+        voice->step(now_s - finished_s_);
         if (const std::string trouble = voice->take_trouble(); !trouble.empty()) {
             std::fprintf(stderr, "Nothing is said aloud: %s\n", trouble.c_str());
         }
     }
-    shown_s_ = now_s;
+    finished_s_ = now_s;
 }
 
 void Desktop::play(const std::vector<std::string>& names) {

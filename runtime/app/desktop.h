@@ -1,11 +1,10 @@
 // The window with its picture and its sound: what a person sits in front of.
 #pragma once
 
-#include "runtime/app/picture.h"
+#include "runtime/app/picture_thread.h"
 #include "runtime/app/places.h"
 #include "runtime/audio/sound_player.h"
 #include "runtime/audio/voice/spoken_voice.h"
-#include "runtime/render/glfw/window.h"
 
 #include <memory>
 #include <string>
@@ -14,20 +13,16 @@ namespace fulcrum::runtime {
 
 struct Desktop {
     std::unique_ptr<Window> window;
-    std::unique_ptr<Picture> picture;    ///< needs the window's context
-    std::unique_ptr<SoundPlayer> sound;  ///< null when the plan has no sound: nothing is opened
-    std::unique_ptr<SpokenVoice> voice;  ///< null when nothing is said aloud, or could be heard
-    double shown_s_ = 0.0;               // when the last frame was, monotonic clock
+    std::unique_ptr<PictureThread> picture;  ///< has the window's context
+    std::unique_ptr<SoundPlayer> sound;      ///< null when the plan has no sound: nothing is opened
+    std::unique_ptr<SpokenVoice> voice;      ///< null when nothing is said aloud, or could be heard
+    double finished_s_ = 0.0;                // when the last frame was, monotonic clock
 
     /// Opens the window, and the sound card when it is wanted. A missing sound card is a sentence on the terminal.
     [[nodiscard]] static Expected<Desktop> open(const Places& places, bool with_sound,
                                                 const VoiceSettings& voice);
 
-    /// Draws a view; it is seen after `finish_frame`.
-    void draw(const View& view);
-    /// Where `draw` puts the cards of a view's list of lessons.
-    [[nodiscard]] MenuLayout menu_layout(const View& view) const;
-    /// Shows what was drawn, waits for the screen, and lets the sound go on by the time that has passed.
+    /// Waits until the next frame of the lesson is due, whatever the picture does, and lets the sound go on by the time that has passed.
     void finish_frame();
     /// Plays what a frame asked for; a body without a sound of its own makes the common one.
     void play(const std::vector<std::string>& names);

@@ -35,7 +35,7 @@ class TrialScreen {
             }
             ask();
             tell_end();
-            desktop_.draw(compose());
+            desktop_.picture->show(compose());
             desktop_.finish_frame();
             if (end_s && monotonic_now_s() >= *end_s) {
                 left_ = TrialLeft::time_is_up;

@@ -20,7 +20,7 @@ constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are loo
 constexpr double kStorePatience_s = 15.0;
 constexpr double kHelp_s = 15.0;        // how long a level says how to move
 constexpr double kLongestStep_s = 0.1;  // of keys that are held, when the picture stalled
-// A frame waits so long for Lua before it draws without it.
+// A frame waits so long for Lua before it shows what there is.
 constexpr double kAnswerPatience_s = 0.004;
 
 void say(const std::string& sentence) {
@@ -71,7 +71,7 @@ void LessonScreen::begin() {
     say_notices(*run_);
     files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
                                       run_->process().files_read()));
-    say_all(desktop_.picture->load_models(run_->description(), request_.folder));
+    say_all(desktop_.picture->load_lesson(run_->description(), request_.folder));
     if (desktop_.sound) {
         desktop_.sound->set_stream(run_->touch_sound());
     }
@@ -153,7 +153,8 @@ Left LessonScreen::play() {
         exchange();
         watch_files();
         last_view_ = compose();
-        desktop_.draw(last_view_);
+        desktop_.picture->show(last_view_);
+        say_all(desktop_.picture->take_notices());
         // A lesson that could not begin has its time too, or a script would wait for it for ever.
         const double since_s = run_ ? epoch_s_ : opened_s;
         const bool time_is_up =
@@ -272,7 +273,7 @@ void LessonScreen::exchange() {
     }
     input_.look_again();
     if (pictures_.look(input_.choices(), run_->description(), places_, request_.folder)) {
-        say_all(desktop_.picture->load_models(pictures_.names(), request_.folder));
+        desktop_.picture->load_models(pictures_.names(), request_.folder);
     }
     desktop_.play((*report)->sounds);
     desktop_.say((*report)->spoken);
@@ -374,16 +375,19 @@ void LessonScreen::save_wanted_screenshot(bool last_frame) {
         options_.screenshot_at_s >= 0.0 && monotonic_now_s() - epoch_s_ >= options_.screenshot_at_s;
     if ((last_frame || at_time) && !screenshot_taken_) {
         screenshot_taken_ = true;
-        if (auto kept = save_png(options_.screenshot, desktop_.window->read_back()); !kept) {
+        const Image seen = desktop_.picture->show_and_read(last_view_);
+        if (auto kept = save_png(options_.screenshot, seen); !kept) {
             say(to_sentence(kept.error()));
         }
     }
 }
 
 std::string LessonScreen::statistics(double since_s) const {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), " The first round came %.2f s after the start.",
-                  first_epoch_s_.value_or(since_s) - since_s);
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(),
+                  " The first round came %.2f s after the start; %llu pictures.",
+                  first_epoch_s_.value_or(since_s) - since_s,
+                  static_cast<unsigned long long>(desktop_.picture->n_shown()));
     return loops_.describe_pace() + text.data();
 }
 

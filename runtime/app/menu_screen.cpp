@@ -37,7 +37,7 @@ void scroll(int rows, const MenuLayout& layout, int last, MenuChoice& choice) {
 // Each time the list is shown: a lesson may have shown a model of its own under the same name.
 void load_icons(Desktop& desktop, const std::vector<LessonCard>& cards) {
     for (const LessonCard& card : cards) {
-        (void)desktop.picture->load_models(std::vector<std::string>{card.icon}, card.folder);
+        desktop.picture->load_models({card.icon}, card.folder);
     }
 }
 
@@ -186,8 +186,7 @@ std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<Less
     while (true) {
         const View view = menu_view(cards, choice, catalogue, name.text());
         if (stale) {
-            desktop.draw(view);
-            desktop.window->swap();
+            desktop.picture->show(view);
         }
         const WindowEvents& events = desktop.window->wait(kLongestWait_s);
         const MenuInput input = read_menu_input(events, wheel, name);
@@ -199,8 +198,8 @@ std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<Less
                 desktop.window->set_fullscreen(!desktop.window->fullscreen());
             }
         }
-        const MenuAnswer answer =
-            answer_menu(input, desktop.menu_layout(view), static_cast<int>(cards.size()), choice);
+        const MenuAnswer answer = answer_menu(input, desktop.picture->menu_layout(view),
+                                              static_cast<int>(cards.size()), choice);
         if (answer.start) {
             desktop.play({"click"});
             learner = name.text();

@@ -32,11 +32,8 @@ class Picture {
     [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const {
         return renderer_->menu_layout(view, width, height);
     }
-
-    /// What of the answer was at this place of the picture that was drawn last: a choice, or -1 for the line to type in; nothing elsewhere.
-    [[nodiscard]] std::optional<int> spot_at(double x_px, double y_px) const {
-        return renderer_->spot_at(x_px, y_px);
-    }
+    /// Where the answer was in the picture that was drawn last: the line to type in, then each choice.
+    [[nodiscard]] const std::vector<Box>& answer_boxes() const { return renderer_->answer_boxes(); }
 
   private:
     explicit Picture(const Places& places) : places_(places) {}

@@ -74,7 +74,8 @@ struct Renderer::Parts {
     Font font;
     DrawList list;
     MovedPanels moved;
-    std::vector<Box> spots;  ///< of the view drawn last: the line to type in, then the choices
+    std::vector<Box>
+        answer_boxes;  ///< of the view drawn last: the line to type in, then the choices
     std::vector<std::string> notices;
     std::optional<KiteSettings> kite;  ///< as it was drawn last
 
@@ -161,15 +162,8 @@ MenuLayout Renderer::menu_layout(const View& view, int width, int height) const 
     return lay_out_menu(view, measure, lay_out_panels(view, parts_->font, measure).shown());
 }
 
-std::optional<int> Renderer::spot_at(double x_px, double y_px) const {
-    const auto x = static_cast<float>(x_px);
-    const auto y = static_cast<float>(y_px);
-    const auto found = std::ranges::find_if(parts_->spots, [&](const Box& box) {
-        return x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
-    });
-    return found == parts_->spots.end()
-               ? std::nullopt
-               : std::optional(static_cast<int>(found - parts_->spots.begin()) - 1);
+const std::vector<Box>& Renderer::answer_boxes() const {
+    return parts_->answer_boxes;
 }
 
 void Renderer::draw(const View& view, int width, int height) {
@@ -191,9 +185,9 @@ void Renderer::draw(const View& view, int width, int height) {
     const Box hand = view.menu.empty() ? parts_->painter.hand_seen(view, camera) : Box{};
     const PanelLayout panels = lay_out_panels(view, parts_->font, measure, hand, parts_->moved);
     parts_->moved = panels.moved;
-    parts_->spots = {panels.input.box};
+    parts_->answer_boxes = {panels.input.box};
     for (const Panel& choice : panels.choices) {
-        parts_->spots.push_back(choice.box);
+        parts_->answer_boxes.push_back(choice.box);
     }
     const MenuLayout menu = lay_out_menu(view, measure, panels.shown());
     std::vector<SceneLabel> labels;

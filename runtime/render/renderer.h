@@ -59,8 +59,8 @@ class Renderer {
     /// Where `draw` puts the cards of a view's list of lessons; for what a pointer means.
     [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const;
 
-    /// What of the answer was at this place of the view that was drawn last: a choice, or -1 for the line to type in; nothing elsewhere.
-    [[nodiscard]] std::optional<int> spot_at(double x_px, double y_px) const;
+    /// Where the answer of the view that was drawn last was: the line to type in, then each choice.
+    [[nodiscard]] const std::vector<Box>& answer_boxes() const;
 
     /// What did not go as wished, one sentence each, e.g. a font that is not installed.
     [[nodiscard]] const std::vector<std::string>& notices() const;

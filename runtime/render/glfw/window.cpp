@@ -10,11 +10,14 @@
 // clang-format on
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 
 namespace fulcrum::runtime {
 
 namespace {
+
+bool a_window_is_open = false;
 
 bool names_display(const char* variable) {
     const char* value = std::getenv(variable);
@@ -180,11 +183,15 @@ struct Window::Parts {
     int width = 0;
     int height = 0;
 
+    /// The screen's refresh is to be waited for once more: what is full screen may have forgotten it.
+    std::atomic<bool> waits_anew{false};
+
     ~Parts() {
         if (window != nullptr) {
             glfwDestroyWindow(window);
         }
         glfwTerminate();
+        a_window_is_open = false;
     }
 };
 
@@ -195,7 +202,7 @@ bool display_available() {
     const bool available = glfwInit() == GLFW_TRUE;
     glfwGetError(nullptr);
     // A window that is open keeps GLFW going; only a bare trial is taken back.
-    if (available && glfwGetCurrentContext() == nullptr) {
+    if (available && !a_window_is_open) {
         glfwTerminate();
     }
     return available;
@@ -220,6 +227,7 @@ Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int w
         return fail("no window with OpenGL 3.3 can be opened" + last_complaint(), {},
                     "update the graphics driver or run with --headless");
     }
+    a_window_is_open = true;
     glfwMakeContextCurrent(parts->window);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(parts->window, &parts->events);
@@ -247,12 +255,23 @@ const WindowEvents& Window::wait(double most_s) {
     return parts_->events;
 }
 
+void Window::take_context() {
+    glfwMakeContextCurrent(parts_->window);
+}
+
+void Window::release_context() {
+    glfwMakeContextCurrent(nullptr);
+}
+
 void Window::swap() {
+    if (parts_->waits_anew.exchange(false)) {
+        glfwSwapInterval(1);
+    }
     glfwSwapBuffers(parts_->window);
 }
 
-Image Window::read_back() const {
-    return gl::read_framebuffer(0, width_px(), height_px());
+Image Window::read_back(int width, int height) const {
+    return gl::read_framebuffer(0, width, height);
 }
 
 void Window::set_fullscreen(bool wanted) {
@@ -270,7 +289,7 @@ void Window::set_fullscreen(bool wanted) {
         glfwSetWindowMonitor(window, nullptr, parts_->x, parts_->y, parts_->width, parts_->height,
                              GLFW_DONT_CARE);
     }
-    glfwSwapInterval(1);
+    parts_->waits_anew = true;
 }
 
 bool Window::fullscreen() const {

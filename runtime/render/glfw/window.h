@@ -1,6 +1,7 @@
 // A window on the desktop, with keyboard and mouse. The only place that knows GLFW.
 //
-// Thread: the main thread only, as GLFW demands. Cost: `swap` waits for the screen's refresh.
+// Thread: the main thread, as GLFW demands; what draws, `take_context`, `release_context`, `swap` and `read_back`, that which has the context.
+// Cost: `swap` waits for the screen's refresh.
 #pragma once
 
 #include "haptics/base/error.h"
@@ -50,7 +51,7 @@ struct WindowEvents {
 /// Whether a window can be opened here. Prints nothing.
 [[nodiscard]] bool display_available();
 
-/// A window with a current OpenGL 3.3 core context. One at a time.
+/// A window with an OpenGL 3.3 core context, current in the thread that made it. One at a time.
 class Window {
   public:
     /// Opens a window; sizes in screen coordinates, at least 1. One sentence when there is no
@@ -68,11 +69,15 @@ class Window {
     /// The same after something happened, or after `most_s` seconds at the latest.
     [[nodiscard]] const WindowEvents& wait(double most_s);
 
+    /// The calling thread draws from now on; the one that did must have released the context.
+    void take_context();
+    void release_context();
+
     /// Shows the frame that was drawn and waits for the screen's refresh.
     void swap();
 
-    /// What has been drawn since the last `swap`, rows from the top; waits for the drawing to end.
-    [[nodiscard]] Image read_back() const;
+    /// What has been drawn since the last `swap`, so large, rows from the top; waits for the drawing to end.
+    [[nodiscard]] Image read_back(int width, int height) const;
 
     /// The whole screen, or the window as it was.
     void set_fullscreen(bool fullscreen);

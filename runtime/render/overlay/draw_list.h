@@ -34,6 +34,10 @@ struct Box {
     [[nodiscard]] float bottom() const { return y + height; }
     [[nodiscard]] float middle_x() const { return x + 0.5F * width; }
     [[nodiscard]] float middle_y() const { return y + 0.5F * height; }
+    [[nodiscard]] bool holds(double x_px, double y_px) const {
+        return x_px >= static_cast<double>(x) && x_px < static_cast<double>(right()) &&
+               y_px >= static_cast<double>(y) && y_px < static_cast<double>(bottom());
+    }
     /// Grown by so much on every side.
     [[nodiscard]] Box grown(float by) const {
         return {x - by, y - by, width + 2.0F * by, height + 2.0F * by};

@@ -154,10 +154,7 @@ MenuLayout lay_out_menu(const View& view, const Measure& m, const std::vector<Bo
 }
 
 MenuSpot menu_spot_at(const MenuLayout& layout, double x_px, double y_px) {
-    const auto holds = [&](const Box& box) {
-        return x_px >= static_cast<double>(box.x) && x_px < static_cast<double>(box.right()) &&
-               y_px >= static_cast<double>(box.y) && y_px < static_cast<double>(box.bottom());
-    };
+    const auto holds = [&](const Box& box) { return box.holds(x_px, y_px); };
     for (const MenuCard& card : layout.cards) {
         if (holds(card.paper)) {
             return {MenuPlace::card, card.index};

@@ -1,0 +1,157 @@
+#include "runtime/app/picture_thread.h"
+
+#include <algorithm>
+#include <future>
+#include <iterator>
+#include <utility>
+
+namespace fulcrum::runtime {
+
+Expected<std::unique_ptr<PictureThread>> PictureThread::start(const Places& places,
+                                                              Window& window) {
+    std::unique_ptr<PictureThread> made(new PictureThread(window));
+    window.release_context();
+    made->thread_ = std::thread([thread = made.get(), places] { thread->run(places); });
+    std::unique_lock lock(made->mutex_);
+    made->made_.wait(lock, [&] { return made->started_.has_value(); });
+    if (!*made->started_) {
+        const Error error = made->started_->error();
+        lock.unlock();
+        return tl::unexpected(error);
+    }
+    return made;
+}
+
+PictureThread::~PictureThread() {
+    {
+        const std::scoped_lock lock(mutex_);
+        ends_ = true;
+    }
+    wanted_changed_.notify_one();
+    thread_.join();
+}
+
+void PictureThread::run(const Places& places) {
+    window_.take_context();
+    auto picture = Picture::create(places);
+    {
+        const std::scoped_lock lock(mutex_);
+        started_ = picture ? Expected<void>{} : Expected<void>(tl::unexpected(picture.error()));
+    }
+    made_.notify_one();
+    while (picture) {
+        std::unique_lock lock(mutex_);
+        wanted_changed_.wait(lock, [&] { return ends_ || wanted_ || !works_.empty(); });
+        if (!works_.empty()) {
+            const Work work = std::move(works_.front());
+            works_.pop_front();
+            lock.unlock();
+            work(**picture);
+        } else if (wanted_ && !ends_) {
+            const Wanted wanted = *std::exchange(wanted_, std::nullopt);
+            lock.unlock();
+            draw(**picture, wanted);
+            shown();
+        } else {
+            break;
+        }
+    }
+    // What it made in the context goes before that.
+    picture = tl::unexpected(Error{});
+    window_.release_context();
+}
+
+void PictureThread::draw(Picture& picture, const Wanted& wanted) {
+    picture.draw(wanted.view, wanted.width_px, wanted.height_px);
+    const std::scoped_lock lock(mutex_);
+    answer_boxes_ = picture.answer_boxes();
+}
+
+void PictureThread::shown() {
+    window_.swap();
+    const std::scoped_lock lock(mutex_);
+    ++n_shown_;
+}
+
+void PictureThread::ask(Work work) {
+    std::promise<void> done;
+    {
+        const std::scoped_lock lock(mutex_);
+        works_.emplace_back([&](Picture& picture) {
+            work(picture);
+            done.set_value();
+        });
+    }
+    wanted_changed_.notify_one();
+    done.get_future().wait();
+}
+
+void PictureThread::show(View view) {
+    Wanted wanted{std::move(view), window_.width_px(), window_.height_px()};
+    {
+        const std::scoped_lock lock(mutex_);
+        wanted_ = std::move(wanted);
+    }
+    wanted_changed_.notify_one();
+}
+
+Image PictureThread::show_and_read(View view) {
+    const Wanted wanted{std::move(view), window_.width_px(), window_.height_px()};
+    Image image;
+    ask([&](Picture& picture) {
+        draw(picture, wanted);
+        image = window_.read_back(wanted.width_px, wanted.height_px);
+        shown();
+    });
+    return image;
+}
+
+void PictureThread::load_models(std::vector<std::string> names,
+                                std::filesystem::path lesson_folder) {
+    {
+        const std::scoped_lock lock(mutex_);
+        works_.emplace_back(
+            [this, names = std::move(names), folder = std::move(lesson_folder)](Picture& picture) {
+                std::vector<std::string> told = picture.load_models(names, folder);
+                const std::scoped_lock told_lock(mutex_);
+                std::ranges::move(told, std::back_inserter(notices_));
+            });
+    }
+    wanted_changed_.notify_one();
+}
+
+std::vector<std::string> PictureThread::load_lesson(const LessonDescription& lesson,
+                                                    const std::filesystem::path& lesson_folder) {
+    std::vector<std::string> told;
+    ask([&](Picture& picture) { told = picture.load_models(lesson, lesson_folder); });
+    return told;
+}
+
+std::vector<std::string> PictureThread::take_notices() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(notices_, {});
+}
+
+MenuLayout PictureThread::menu_layout(const View& view) {
+    const int width_px = window_.width_px();
+    const int height_px = window_.height_px();
+    MenuLayout layout;
+    ask([&](Picture& picture) { layout = picture.menu_layout(view, width_px, height_px); });
+    return layout;
+}
+
+std::optional<int> PictureThread::spot_at(double x_px, double y_px) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found =
+        std::ranges::find_if(answer_boxes_, [&](const Box& box) { return box.holds(x_px, y_px); });
+    return found == answer_boxes_.end()
+               ? std::nullopt
+               : std::optional(static_cast<int>(found - answer_boxes_.begin()) - 1);
+}
+
+std::uint64_t PictureThread::n_shown() const {
+    const std::scoped_lock lock(mutex_);
+    return n_shown_;
+}
+
+}  // namespace fulcrum::runtime
