@@ -344,7 +344,7 @@ void HapticLoop::keep_passive() noexcept {
 
 void HapticLoop::limit_forces() noexcept {
     const Wrench commanded_D = compute_device_wrench(plan_.workspace, state_.commanded_W);
-    applied_D_ = gate_.pass(commanded_D, state_.faults, dt_s_);
+    applied_D_ = gate_.pass(commanded_D, state_.faults, dt_s_, guard_.speed_m_per_s());
     state_.faults |= gate_.faults();
     state_.gate = gate_.phase();
 }

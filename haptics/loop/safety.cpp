@@ -29,6 +29,8 @@ SafetySettings clamped(const SafetySettings& asked) noexcept {
     s.max_slew_N_per_s = clamped(asked.max_slew_N_per_s, 0.0, 5000.0, 0.0);
     s.engage_below_N = clamped(asked.engage_below_N, 0.0, 1.0, 0.0);
     s.engage_cycles = std::max(asked.engage_cycles, 1);
+    s.rest_speed_m_per_s = clamped(asked.rest_speed_m_per_s, 0.0, 0.2, 0.0);
+    s.rest_s = clamped(asked.rest_s, 0.2, 60.0, 60.0);
     s.soft_start_N_per_s = clamped(asked.soft_start_N_per_s, 0.0, 50.0, 0.0);
     s.soft_start_s = clamped(asked.soft_start_s, 0.0, 60.0, 60.0);
     s.fade_s = clamped(asked.fade_s, 0.0, 0.5, 0.0);
@@ -91,6 +93,7 @@ bool SafetyGate::is_fading() const noexcept {
 void SafetyGate::enter(GatePhase phase) noexcept {
     phase_ = phase;
     calm_cycles_ = 0;
+    rested_s_ = 0.0;
     rise_age_s_ = 0.0;
     fade_age_s_ = 0.0;
     fade_from_D_ = output_D_;
@@ -117,7 +120,8 @@ double SafetyGate::find_growth_N(double dt_s) const noexcept {
     return rise_s * (stays_rising ? settings_.soft_start_N_per_s : settings_.max_slew_N_per_s);
 }
 
-Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) noexcept {
+Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s,
+                        double hand_m_per_s) noexcept {
     // What cannot be trusted is a fault, and a time that cannot be trusted ends a fade at once.
     faults_ = faults;
     const bool time_is_good = dt_s >= 0.0 && std::isfinite(dt_s);
@@ -132,7 +136,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
         limited = {shortened(commanded_D.force, settings_.max_force_N * kBelowLimit),
                    shortened(commanded_D.torque, settings_.max_torque_Nm * kBelowLimit)};
     }
-    judge(commanded_D, rise_dt_s);
+    judge(commanded_D, rise_dt_s, hand_m_per_s);
     switch (phase_) {
         case GatePhase::waiting:
             output_D_ = Wrench{};
@@ -151,7 +155,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
 }
 
 // Chooses the phase of this call.
-void SafetyGate::judge(const Wrench& commanded, double dt_s) noexcept {
+void SafetyGate::judge(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept {
     // An emergency stop wins over everything and stays; a fade under way goes on from where it is.
     if (any(faults_ & kStops) && phase_ != GatePhase::stopped) {
         if (phase_ == GatePhase::fading) {
@@ -166,19 +170,14 @@ void SafetyGate::judge(const Wrench& commanded, double dt_s) noexcept {
     if (any(faults_)) {
         if (phase_ == GatePhase::waiting) {
             calm_cycles_ = 0;
+            rested_s_ = 0.0;
         } else {
             enter(GatePhase::fading);
         }
         return;
     }
     if (phase_ == GatePhase::waiting) {
-        // Of a device without torque none is felt, whatever is commanded.
-        const bool calm =
-            commanded.force.norm() < settings_.engage_below_N &&
-            (torque_per_force_m_ == 0.0 ||
-             commanded.torque.norm() < settings_.engage_below_N * torque_per_force_m_);
-        calm_cycles_ = calm ? calm_cycles_ + 1 : 0;
-        if (calm_cycles_ >= settings_.engage_cycles) {
+        if (may_rise(commanded, dt_s, hand_m_per_s)) {
             enter(GatePhase::rising);
         }
         return;
@@ -187,6 +186,17 @@ void SafetyGate::judge(const Wrench& commanded, double dt_s) noexcept {
     if (phase_ == GatePhase::rising && rise_age_s_ > settings_.soft_start_s) {
         phase_ = GatePhase::open;
     }
+}
+
+// While it waits: has what is commanded been small for long enough, or the hand rested?
+bool SafetyGate::may_rise(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept {
+    // Of a device without torque none is felt, whatever is commanded.
+    const bool calm = commanded.force.norm() < settings_.engage_below_N &&
+                      (torque_per_force_m_ == 0.0 ||
+                       commanded.torque.norm() < settings_.engage_below_N * torque_per_force_m_);
+    calm_cycles_ = calm ? calm_cycles_ + 1 : 0;
+    rested_s_ = hand_m_per_s <= settings_.rest_speed_m_per_s ? rested_s_ + dt_s : 0.0;
+    return calm_cycles_ >= settings_.engage_cycles || rested_s_ >= settings_.rest_s;
 }
 
 // rising and open: towards the limited command, no faster than the slew and soft-start laws allow.

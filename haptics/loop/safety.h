@@ -1,7 +1,8 @@
 // The last gate before the device: whatever was computed, what leaves here is small, slow to change
 // and finite.
 //
-//   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row: rising
+//   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row: rising. So too, whatever is commanded, where
+//             the hand has rested below rest_speed for rest_s without a fault: a force that is there from the start comes in softly
 //   rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt: then open
 //   open      |f_k - f_(k-1)| <= max_slew dt  (rising keeps this law too)
 //   fading    any fault: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then waiting; each call
@@ -21,6 +22,8 @@
 #include "haptics/handover/messages.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
+
+#include <limits>
 
 namespace fulcrum {
 
@@ -48,8 +51,10 @@ class SafetyGate {
 
     /// What may be sent to the device now. `commanded_D` newtons and newton metres; `dt_s` since
     /// the last call: NaN, negative or infinite counts as Fault::command_invalid, and so does a
-    /// commanded wrench that is not finite.
-    [[nodiscard]] Wrench pass(const Wrench& commanded_D, Fault faults, double dt_s) noexcept;
+    /// commanded wrench that is not finite. A hand of which no speed is known, or NaN, never rests.
+    [[nodiscard]] Wrench pass(
+        const Wrench& commanded_D, Fault faults, double dt_s,
+        double hand_m_per_s = std::numeric_limits<double>::infinity()) noexcept;
 
     /// Leaves `stopped` (or any other phase) for `waiting` with zero force: a person has said that
     /// it is safe.
@@ -87,7 +92,8 @@ class SafetyGate {
     }
     // How much the force may grow in the next `pass` of an open gate.
     [[nodiscard]] double find_growth_N(double dt_s) const noexcept;
-    void judge(const Wrench& commanded, double dt_s) noexcept;
+    void judge(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept;
+    [[nodiscard]] bool may_rise(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept;
     void follow(const Wrench& limited, double dt_s) noexcept;
     void fade(double dt_s) noexcept;
 
@@ -102,6 +108,7 @@ class SafetyGate {
     double fade_age_s_ = 0.0;
     double rise_age_s_ = 0.0;
     int calm_cycles_ = 0;
+    double rested_s_ = 0.0;
 };
 
 }  // namespace fulcrum

@@ -12,6 +12,8 @@ Expected<void> validate(const SafetySettings& s) {
         {"max_slew_N_per_s", s.max_slew_N_per_s, 10.0, 5000.0},
         {"engage_below_N", s.engage_below_N, 0.01, 1.0},
         {"engage_cycles", static_cast<double>(s.engage_cycles), 1.0, 1000.0},
+        {"rest_speed_m_per_s", s.rest_speed_m_per_s, 0.0, 0.2},
+        {"rest_s", s.rest_s, 0.2, 60.0},
         {"soft_start_N_per_s", s.soft_start_N_per_s, 0.5, 50.0},
         {"soft_start_s", s.soft_start_s, 0.0, 10.0},
         {"fade_s", s.fade_s, 0.01, 0.5},

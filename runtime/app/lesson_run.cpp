@@ -239,7 +239,7 @@ Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     gathered.dt_s = std::max(0.0, input.time_s - last_frame_s_);
     last_frame_s_ = input.time_s;
     channels_.state_for_lesson.take();
-    gathered.hand = channels_.state_for_lesson.value();
+    gathered.hand = seen(*hand_, channels_.state_for_lesson.value());
     gather_more_hands(gathered);
     if (world_channels_) {
         world_channels_->snapshot.take();
@@ -364,7 +364,7 @@ double LessonRun::fade_shown_s() const {
 View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     Scenery scenery;
     scenery.time_s = last_frame_s_;
-    scenery.hand = channels_.state_for_lesson.value();
+    scenery.hand = seen(*hand_, channels_.state_for_lesson.value());
     scenery.world = newest_world();
     scenery.axles = newest_axles();
     scenery.kite = newest_kite();

@@ -180,6 +180,8 @@ class LessonRun {
     [[nodiscard]] double fade_shown_s() const;
     /// True while the device gives no poses or takes no forces.
     [[nodiscard]] bool device_is_lost() const;
+    /// True while a force waits at any gate for its hand to rest.
+    [[nodiscard]] bool holds_back() const;
     /// What has happened to the hand's device since the last call, a sentence; empty when nothing has.
     [[nodiscard]] std::string take_device_notice();
     /// What got lost between the loops, a sentence each; none in a good run. Call it when the loops stand still.
@@ -211,6 +213,9 @@ class LessonRun {
     [[nodiscard]] HandDevice& hand_at(std::size_t hand) const {
         return hand == 0 ? *hand_ : *more_hands_[hand - 1]->device;
     }
+    /// The hand as lesson and picture see it: one without motors with what would be felt, for no force can hurt there, and a gate that
+    /// waits would leave nothing to be seen. Nothing while it is stopped or anything is wrong.
+    [[nodiscard]] static HapticState seen(const HandDevice& device, const HapticState& state);
     [[nodiscard]] const HandFit& fit_of(std::size_t hand) const {
         return hand == 0 ? fit_ : more_hands_[hand - 1]->fit;
     }

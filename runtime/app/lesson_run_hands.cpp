@@ -187,10 +187,19 @@ bool LessonRun::renders_force() const {
     return renders;
 }
 
+HapticState LessonRun::seen(const HandDevice& device, const HapticState& state) {
+    HapticState shown = state;
+    const bool is_shut = state.gate == GatePhase::fading || state.gate == GatePhase::stopped;
+    if (!device.renders_force() && !is_shut && !any(state.faults)) {
+        shown.applied_W = state.commanded_W;
+    }
+    return shown;
+}
+
 void LessonRun::gather_more_hands(SessionInput& gathered) {
     for (const auto& hand : more_hands_) {
         hand->channels.state_for_lesson.take();
-        gathered.more_hands.push_back(hand->channels.state_for_lesson.value());
+        gathered.more_hands.push_back(seen(*hand->device, hand->channels.state_for_lesson.value()));
     }
 }
 
@@ -209,7 +218,7 @@ void LessonRun::lead_more_hands(const SessionOutput& output) {
 
 void LessonRun::show_more_hands(Scenery& scenery) const {
     for (const auto& hand : more_hands_) {
-        const HapticState& state = hand->channels.state_for_lesson.value();
+        const HapticState state = seen(*hand->device, hand->channels.state_for_lesson.value());
         const bool points = !hand->device->renders_force() && hand->device->points();
         scenery.more_hands.push_back(
             {state, points, points ? hand->device->pointer_W() : state.tool_pose_W});
@@ -224,15 +233,34 @@ void LessonRun::point_at(std::size_t hand, const Vector3& position_W, std::uint3
     (hand == 0 ? *hand_ : *more_hands_[hand - 1]->device).point_at(position_W, buttons);
 }
 
+namespace {
+
+bool is_lost(const HapticState& state) {
+    return any(state.faults & (Fault::device_read | Fault::device_stale | Fault::device_write));
+}
+
+}  // namespace
+
 bool LessonRun::device_is_lost() const {
-    const auto is_lost = [](const HapticState& state) {
-        return any(state.faults & (Fault::device_read | Fault::device_stale | Fault::device_write));
+    return is_lost(channels_.state_for_lesson.value()) ||
+           std::ranges::any_of(more_hands_, [](const auto& hand) {
+               return is_lost(hand->channels.state_for_lesson.value());
+           });
+}
+
+bool LessonRun::holds_back() const {
+    const auto waits = [](const HandDevice& device, const HapticState& state,
+                          const SafetySettings& safety) {
+        return device.renders_force() && state.gate == GatePhase::waiting && !any(state.faults) &&
+               state.commanded_W.force.norm() >= safety.engage_below_N;
     };
-    bool lost = is_lost(channels_.state_for_lesson.value());
-    for (const auto& hand : more_hands_) {
-        lost = lost || is_lost(hand->channels.state_for_lesson.value());
+    bool any_waits = waits(*hand_, channels_.state_for_lesson.value(), limits_of(0));
+    for (std::size_t i = 0; i < more_hands_.size(); ++i) {
+        const MoreHand& hand = *more_hands_[i];
+        any_waits = any_waits ||
+                    waits(*hand.device, hand.channels.state_for_lesson.value(), limits_of(i + 1));
     }
-    return lost;
+    return any_waits;
 }
 
 std::string LessonRun::take_device_notice() {

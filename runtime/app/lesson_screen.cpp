@@ -331,6 +331,7 @@ ScreenTrouble LessonScreen::find_trouble() const {
         trouble.waited_s = run_->process().waited_s();
         trouble.device_is_lost = run_->device_is_lost();
         trouble.is_unkept = !run_->session().store_trouble().empty();
+        trouble.holds_back = run_->holds_back();
     }
     return trouble;
 }

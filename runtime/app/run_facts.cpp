@@ -118,6 +118,8 @@ void add_limits(const FactSources& run, Facts& facts) {
     facts.add("limit.soft start N/s", safety.soft_start_N_per_s);
     facts.add("limit.soft start s", safety.soft_start_s);
     facts.add("limit.engage below N", safety.engage_below_N);
+    facts.add("limit.rest m/s", safety.rest_speed_m_per_s);
+    facts.add("limit.rest s", safety.rest_s);
     facts.add("limit.fade s", safety.fade_s);
     facts.add("limit.hand m/s", safety.max_felt_speed_m_per_s);
     facts.add("limit.energy J", safety.max_energy_J);

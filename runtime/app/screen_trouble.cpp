@@ -36,6 +36,8 @@ void show(const ScreenTrouble& trouble, const dialogue::Catalogue& catalogue, Vi
         view.banner_is_error = true;
     } else if (trouble.is_unkept) {
         view.banner = catalogue.say("banner.not_saved");
+    } else if (trouble.holds_back) {
+        view.banner = catalogue.say("banner.hold_still");
     }
 }
 

@@ -1,5 +1,5 @@
 // What must be known before anything else: a mistake in the lesson, a lesson that hardly runs, a stop, a device that is lost, progress
-// that is not kept.
+// that is not kept, a force that waits.
 //
 // Thread: pure.
 #pragma once
@@ -19,7 +19,8 @@ struct ScreenTrouble {
     double waited_s = 0.0;  ///< for the lesson's answer
     bool is_stopped = false;
     bool device_is_lost = false;
-    bool is_unkept = false;  ///< something of what the learner did
+    bool is_unkept = false;   ///< something of what the learner did
+    bool holds_back = false;  ///< a force waits until the hand rests
 };
 
 /// Whether Enter begins again, and Escape leaves at once: nothing plays.

@@ -85,6 +85,46 @@ TEST_CASE("safety: engagement counts what is commanded, and a fault starts the c
     CHECK(gate.phase() == GatePhase::rising);
 }
 
+TEST_CASE("safety: a force that is there from the start comes in softly at a hand that rests") {
+    constexpr double kRests = 0.05;
+    const auto hold = [](SafetyGate& gate, double hand_m_per_s, int n, Fault fault = Fault::none) {
+        Wrench out{};
+        for (int i = 0; i < n; ++i) {
+            out = gate.pass(along_x(5.0), fault, kDt_s, hand_m_per_s);
+        }
+        return out.force.x();
+    };
+    SafetyGate gate{SafetySettings{}};
+    CHECK(hold(gate, kRests, 499) == 0.0);
+    // The rest is one: a movement, a fault, a speed that nobody knows or that is no number begins it anew.
+    for (const double moves : {0.051, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        CHECK(hold(gate, moves, 1) == 0.0);
+        CHECK(hold(gate, kRests, 499) == 0.0);
+    }
+    CHECK(hold(gate, kRests, 1, Fault::device_stale) == 0.0);
+    CHECK(hold(gate, 0.0, 499) == 0.0);
+    REQUIRE(gate.phase() == GatePhase::waiting);
+    // Then as slowly as any soft start, whatever the hand does.
+    double before_N = hold(gate, kRests, 2);
+    REQUIRE(gate.phase() == GatePhase::rising);
+    for (int i = 0; i < 990; ++i) {
+        const double now_N = hold(gate, 1.0, 1);
+        REQUIRE(now_N - before_N <= 0.005 + kRounding);
+        before_N = now_N;
+    }
+    CHECK(before_N > 4.9);
+    // After a fault not without another rest, and after a stop not before somebody lifts it.
+    (void)hold(gate, kRests, 101, Fault::lesson_failed);
+    REQUIRE(gate.phase() == GatePhase::waiting);
+    CHECK(hold(gate, kRests, 498) == 0.0);
+    CHECK(hold(gate, kRests, 4) > 0.0);
+    (void)hold(gate, kRests, 2000, Fault::emergency_stop);
+    CHECK(hold(gate, kRests, 3000) == 0.0);
+    gate.reset();
+    CHECK(hold(gate, kRests, 499) == 0.0);
+    CHECK(hold(gate, kRests, 3) > 0.0);
+}
+
 TEST_CASE("safety: the soft start lasts its time to the end, and a long pause is no part of it") {
     SafetyGate gate{SafetySettings{}};
     pass(gate, along_x(0.0), 5 + 1900);
@@ -184,6 +224,8 @@ TEST_CASE("safety: each setting is accepted at its bounds and refused just past 
                             {&SafetySettings::max_torque_Nm, 0.0, 1.0},
                             {&SafetySettings::max_slew_N_per_s, 10.0, 5000.0},
                             {&SafetySettings::engage_below_N, 0.01, 1.0},
+                            {&SafetySettings::rest_speed_m_per_s, 0.0, 0.2},
+                            {&SafetySettings::rest_s, 0.2, 60.0},
                             {&SafetySettings::soft_start_N_per_s, 0.5, 50.0},
                             {&SafetySettings::soft_start_s, 0.0, 10.0},
                             {&SafetySettings::fade_s, 0.01, 0.5},

@@ -9,8 +9,9 @@ namespace {
 // Each text is its key.
 fulcrum::dialogue::Catalogue words() {
     std::string text;
-    for (const char* key : {"banner.stopped", "banner.retry", "banner.busy", "banner.slow",
-                            "banner.device_lost", "banner.not_saved", "hud.emergency"}) {
+    for (const char* key :
+         {"banner.stopped", "banner.retry", "banner.busy", "banner.slow", "banner.device_lost",
+          "banner.not_saved", "banner.hold_still", "hud.emergency"}) {
         text += std::string(key) + " = " + key + "\n";
     }
     return fulcrum::dialogue::Catalogue::parse(text + "banner.teacher = {sentence}\n").value();
@@ -29,7 +30,8 @@ TEST_CASE("screen trouble: the worst is told, and where nothing plays Enter begi
     const Case cases[] = {
         {{}, "", false, false},
         {{.waited_s = 0.4}, "", false, false},
-        {{.is_unkept = true}, "banner.not_saved", false, false},
+        {{.holds_back = true}, "banner.hold_still", false, false},
+        {{.is_unkept = true, .holds_back = true}, "banner.not_saved", false, false},
         {{.device_is_lost = true, .is_unkept = true}, "banner.device_lost", false, true},
         {{.waited_s = 0.6, .device_is_lost = true}, "banner.slow", false, false},
         {{.waited_s = 9.9, .is_stopped = true}, "hud.emergency", false, true},
