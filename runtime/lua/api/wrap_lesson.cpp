@@ -217,6 +217,9 @@ int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments)
                                      clean_text(file, 40) + '"');
         }
     }
+    if (context.description.tests.size() >= kMaxListItems) {
+        raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxListItems) + " tests");
+    }
     context.description.tests.push_back(std::move(test));
     return 0;
 }
