@@ -155,11 +155,11 @@ void event(Archive& a, Event& e) {
         a.text("a key", e.key, kMaxNameBytes);
     } else if constexpr (std::is_same_v<Kind, JudgeEvent>) {
         a.name("a question", e.question);
-        pairs(a, "slots", e.slots);
+        slots(a, e.slots);
     } else if constexpr (std::is_same_v<Kind, AnsweredEvent>) {
         a.name("a question", e.question);
         a.text("an answer", e.said, kMaxTextBytes);
-        pairs(a, "slots", e.slots);
+        slots(a, e.slots);
         a.flag("understood", e.understood);
         a.flag("right", e.right);
         a.flag("form right", e.form_right);
@@ -170,7 +170,7 @@ void event(Archive& a, Event& e) {
         a.flag("form known", e.form_known);
     } else if constexpr (std::is_same_v<Kind, AskedEvent>) {
         a.name("what is asked for", e.knowledge);
-        pairs(a, "slots", e.slots);
+        slots(a, e.slots);
     } else {
         static_assert(std::is_same_v<Kind, ReadyEvent>);
         a.list("felt weights", e.felt_weight_N, static_cast<std::size_t>(kMaxBodies),

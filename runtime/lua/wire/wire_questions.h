@@ -21,6 +21,15 @@ void pairs(Archive& a, const char* what, Pairs& values) {
     });
 }
 
+/// What an answer's sentence was filled with: a slot is called as its template says, which is as long as a text.
+template <class Archive, class Slots>
+void slots(Archive& a, Slots& values) {
+    a.list("slots", values, kMaxListItems, [](auto& each, auto& value) {
+        each.text("a slot's name", value.first, kMaxTextBytes);
+        each.text("a slot", value.second, kMaxTextBytes);
+    });
+}
+
 template <class Archive, class Lists>
 void lists(Archive& a, Lists& values) {
     a.list("lists", values, kMaxListItems, [](auto& each, auto& value) {

@@ -145,6 +145,23 @@ TEST_CASE("wire: a description whose hinge cannot be is refused") {
     CHECK_FALSE(with([](BodyDescription& b) { b.hinge->load_N = -1.0; }));
 }
 
+TEST_CASE("wire: a slot comes with the name that its template gave it, however long") {
+    const std::string name(kMaxTextBytes, 's');  // a template is no longer
+    const std::vector<std::pair<std::string, std::string>> slots{{name, "an apple"}};
+    LessonFrame frame;
+    frame.events = {JudgeEvent{"q", slots}, AskedEvent{"k", slots}};
+    AnsweredEvent answered;
+    answered.slots = slots;
+    frame.events.emplace_back(answered);
+    Bytes bytes;
+    encode(frame, bytes);
+    const auto came = decode_frame(std::span(bytes).subspan(kHead));
+    REQUIRE(came);
+    CHECK(std::get<JudgeEvent>(came->events.at(0)).slots == slots);
+    CHECK(std::get<AskedEvent>(came->events.at(1)).slots == slots);
+    CHECK(std::get<AnsweredEvent>(came->events.at(2)).slots == slots);
+}
+
 TEST_CASE("wire: a kite's commands come back as they were, and only to a lesson that has one") {
     const LessonDescription lesson = fulcrum::test::full_description();
     LessonDescription without = lesson;
