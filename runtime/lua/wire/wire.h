@@ -33,6 +33,9 @@ inline constexpr std::size_t kMaxQuestions = 200;
 inline constexpr std::size_t kMaxListItems = 200;  ///< answers, list words, test lines, slots
 inline constexpr double kMaxCoordinate_m = 1e4;
 inline constexpr double kMaxSpeed_m_per_s = 1e3;
+/// What the program tells of the scene is within this, whatever unit it has: a tool at the edge of a scene is beyond what a lesson may say,
+/// and a body that has fallen for long. What a lesson says back of it is within it too.
+inline constexpr double kMaxTold = 1e9;
 inline constexpr double kMaxLessonForce_N =
     100.0;  ///< of a lesson's force function; the gate limits far below
 inline constexpr double kMaxLessonTorque_Nm = 10.0;                  ///< likewise, about the tool

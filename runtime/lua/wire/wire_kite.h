@@ -64,17 +64,16 @@ void wind(Archive& a, Wind& w) {
 
 template <class Archive, class State>
 void kite_state(Archive& a, State& k) {
-    constexpr double kAny = 1e9;
-    vector(a, "the kite", k.centre_W, kAny);
-    vector(a, "the kite's velocity", k.velocity_W, kAny);
-    vector(a, "the kite's weight", k.weight_W, kAny);
-    vector(a, "its lift", k.lift_W, kAny);
-    vector(a, "its drag", k.drag_W, kAny);
-    vector(a, "the line's tension", k.tension_W, kAny);
-    vector(a, "the line's pull", k.hand_force_W, kAny);
-    vector(a, "the wind at the kite", k.wind_W, kAny);
+    vector(a, "the kite", k.centre_W, kMaxTold);
+    vector(a, "the kite's velocity", k.velocity_W, kMaxTold);
+    vector(a, "the kite's weight", k.weight_W, kMaxTold);
+    vector(a, "its lift", k.lift_W, kMaxTold);
+    vector(a, "its drag", k.drag_W, kMaxTold);
+    vector(a, "the line's tension", k.tension_W, kMaxTold);
+    vector(a, "the line's pull", k.hand_force_W, kMaxTold);
+    vector(a, "the wind at the kite", k.wind_W, kMaxTold);
     a.number("the angle of attack", k.angle_of_attack_rad, 0.0, 4.0);
-    a.number("the line's length", k.line_m, 0.0, kAny);
+    a.number("the line's length", k.line_m, 0.0, kMaxTold);
     a.flag("snapped", k.is_snapped);
 }
 

@@ -189,33 +189,32 @@ void event(Archive& a, Event& e) {
 
 template <class Archive, class Frame>
 void frame(Archive& a, Frame& f) {
-    constexpr double kAny = 1e9;
-    a.number("the time", f.time_s, 0.0, kAny);
-    a.number("the time step", f.dt_s, 0.0, kAny);
-    pose(a, "the tool", f.tool_pose_W, kAny);
-    vector(a, "the tool's velocity", f.tool_twist_W.linear, kAny);
-    vector(a, "the tool's turning", f.tool_twist_W.angular, kAny);
-    vector(a, "the applied force", f.applied_W.force, kAny);
-    vector(a, "the applied torque", f.applied_W.torque, kAny);
+    a.number("the time", f.time_s, 0.0, kMaxTold);
+    a.number("the time step", f.dt_s, 0.0, kMaxTold);
+    pose(a, "the tool", f.tool_pose_W, kMaxTold);
+    vector(a, "the tool's velocity", f.tool_twist_W.linear, kMaxTold);
+    vector(a, "the tool's turning", f.tool_twist_W.angular, kMaxTold);
+    vector(a, "the applied force", f.applied_W.force, kMaxTold);
+    vector(a, "the applied torque", f.applied_W.torque, kMaxTold);
     a.list("more hands", f.more_hands, kMostHands - 1, [](auto& each, auto& h) {
-        pose(each, "a tool", h.tool_pose_W, kAny);
-        vector(each, "a tool's velocity", h.tool_twist_W.linear, kAny);
-        vector(each, "a tool's turning", h.tool_twist_W.angular, kAny);
-        vector(each, "an applied force", h.applied_W.force, kAny);
-        vector(each, "an applied torque", h.applied_W.torque, kAny);
+        pose(each, "a tool", h.tool_pose_W, kMaxTold);
+        vector(each, "a tool's velocity", h.tool_twist_W.linear, kMaxTold);
+        vector(each, "a tool's turning", h.tool_twist_W.angular, kMaxTold);
+        vector(each, "an applied force", h.applied_W.force, kMaxTold);
+        vector(each, "an applied torque", h.applied_W.torque, kMaxTold);
     });
     a.list("bodies", f.bodies, static_cast<std::size_t>(kMaxBodies), [](auto& each, auto& b) {
-        pose(each, "a body", b.pose_W, kAny);
-        vector(each, "a body's velocity", b.velocity_W, kAny);
+        pose(each, "a body", b.pose_W, kMaxTold);
+        vector(each, "a body's velocity", b.velocity_W, kMaxTold);
         each.choice("where a body is", b.where, BodyWhere::landed);
     });
     a.list("hinges", f.hinges, static_cast<std::size_t>(kMaxSolids), [](auto& each, auto& h) {
-        each.number("an angle", h.angle_rad, -kAny, kAny);
-        each.number("a spin", h.spin_rad_per_s, -kAny, kAny);
-        each.number("a torque", h.torque_Nm, -kAny, kAny);
-        each.number("a lever arm", h.arm_m, 0.0, kAny);
-        each.number("a load's torque", h.load_torque_Nm, -kAny, kAny);
-        each.number("an inertia", h.inertia_kg_m2, 0.0, kAny);
+        each.number("an angle", h.angle_rad, -kMaxTold, kMaxTold);
+        each.number("a spin", h.spin_rad_per_s, -kMaxTold, kMaxTold);
+        each.number("a torque", h.torque_Nm, -kMaxTold, kMaxTold);
+        each.number("a lever arm", h.arm_m, 0.0, kMaxTold);
+        each.number("a load's torque", h.load_torque_Nm, -kMaxTold, kMaxTold);
+        each.number("an inertia", h.inertia_kg_m2, 0.0, kMaxTold);
     });
     optional(a, "a kite", f.kite, [](auto& each, auto& k) { kite_state(each, k); });
     a.list("events", f.events, kMaxEvents, [](auto& each, auto& e) {
@@ -288,11 +287,11 @@ void turn_command(Archive& a, Turn& t, const ReplyBounds& bounds) {
 
 template <class Archive, class Force>
 void linearised(Archive& a, Force& f) {
-    a.number("a force's time", f.stamp_s, -1.0, 1e9);
+    a.number("a force's time", f.stamp_s, -1.0, kMaxTold);
     vector(a, "the lesson's force", f.force_W, kMaxLessonForce_N);
     vector(a, "the lesson's torque", f.torque_W, kMaxLessonTorque_Nm);
-    vector(a, "where a force was computed", f.at_position_W, kMaxCoordinate_m);
-    vector(a, "the velocity a force was computed at", f.at_velocity_W, kMaxSpeed_m_per_s);
+    vector(a, "where a force was computed", f.at_position_W, kMaxTold);
+    vector(a, "the velocity a force was computed at", f.at_velocity_W, kMaxTold);
     for (int i = 0; i < 9; ++i) {
         a.number("a force's stiffness", f.stiffness_N_per_m(i / 3, i % 3),
                  -kMaxLessonStiffness_N_per_m, kMaxLessonStiffness_N_per_m);
