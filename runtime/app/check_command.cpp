@@ -2,6 +2,7 @@
 #include "haptics/collision/self_intersection.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/kept_check.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/app/question_trials.h"
 #include "runtime/app/quiet_run.h"
@@ -12,7 +13,9 @@
 #include "runtime/lesson/question_notes.h"
 #include "runtime/scene/picture/grey_picture.h"
 
+#include <array>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -28,15 +31,6 @@ constexpr double kCheckedPlay_s = 600.0;
 constexpr LearnerRates kErringLearner{0.3, 0.2, 0.1};
 /// Who answers when it is played again: hints, what is felt again and solutions come, each of them.
 constexpr LearnerRates kWrongLearner{1.0, 0.0, 0.0};
-
-/// Says each on the terminal; how many there were.
-std::size_t say_each(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) {
-        std::printf("%s\n", note.c_str());
-    }
-    std::fflush(stdout);  // what goes wrong later is told behind it
-    return notes.size();
-}
 
 std::string at_line(int line) {
     return "lesson.lua:" + std::to_string(line) + ": ";
@@ -141,6 +135,17 @@ struct Checked {
     std::size_t n_notes = 0;
     dialogue::FormCheck check{};  ///< empty where what it takes is not installed
     std::optional<ShownSentences> shown{};
+    std::string said{};  ///< all lines
+
+    /// Says each on the terminal; how many there were.
+    std::size_t say_each(const std::vector<std::string>& notes) {
+        for (const std::string& note : notes) {
+            std::printf("%s\n", note.c_str());
+            said += note + '\n';
+        }
+        std::fflush(stdout);  // what goes wrong later is told behind it
+        return notes.size();
+    }
 };
 
 /// Plays the lesson's own test; gives the exit code.
@@ -157,7 +162,7 @@ int check_as_meant(const Installation& installation, LessonRun& run,
     const std::vector<std::string> notes =
         notes_before_play(installation, run, folder, sources, checked.check, stages);
     if (is_quick) {
-        checked.n_notes = say_each(notes);
+        checked.n_notes = checked.say_each(notes);
         return 0;
     }
     stages.begin("the play");
@@ -174,10 +179,13 @@ int check_as_meant(const Installation& installation, LessonRun& run,
     if (!outcome || trials.failed()) {
         // What ends the play comes first: what else is told may follow from it.
         const int code = complain(trials.failed() ? *trials.failed() : outcome.error(), 1);
-        say_each(notes);
+        checked.say_each(notes);
         return code;
     }
-    checked.n_notes = say_each(notes);
+    checked.n_notes = checked.say_each(notes);
+    if (interrupted()) {
+        return interrupt_exit_code();
+    }
     const auto take_answer = [&](const KnowledgeDescription& known, const std::string& answer) {
         checked.shown->add_answer(known.id, known.line, answer);
     };
@@ -187,7 +195,7 @@ int check_as_meant(const Installation& installation, LessonRun& run,
     }
     stages.begin("questions that were not asked in the play");
     trials.try_others();
-    checked.n_notes += say_each(trials.notes());
+    checked.n_notes += checked.say_each(trials.notes());
     return 0;
 }
 
@@ -200,12 +208,15 @@ int check_with_errors(LessonRun& run, ShownSentences& shown) {
     if (const auto outcome = run_headless(run, settings); !outcome) {
         return complain(outcome.error(), 1);
     }
+    if (interrupted()) {
+        return interrupt_exit_code();
+    }
     const auto happened = try_events(run);
     return happened ? 0 : complain(happened.error(), 1);
 }
 
-int check_all(const Installation& installation, const Options& options, StageTeller& stages) {
-    Checked checked;
+int check_anew(const Installation& installation, const Options& options, Checked& checked,
+               StageTeller& stages) {
     RunRequest request = quiet_request(options);
     request.learner_without_test = kErringLearner;
     stages.begin("loading");
@@ -225,19 +236,50 @@ int check_all(const Installation& installation, const Options& options, StageTel
     }
     stages.begin("English");
     const ShownReview review = checked.shown->review(checked.check);
-    checked.n_notes += say_each(review.notes);
+    checked.n_notes += checked.say_each(review.notes);
     if (!review.unread.empty()) {
-        say_each(
+        checked.say_each(
             {"Nothing wrong is found in these, but a grammar could not read them; read them "
              "once more:"});
-        say_each(review.unread);
+        checked.say_each(review.unread);
     }
-    const char* const not_played = options.quick ? " It was not played; leave --quick away." : "";
-    if (code == 0 && checked.n_notes == 0) {
-        std::printf("%s: no mistakes found.%s\n", checked.lesson.c_str(), not_played);
-    } else if (code == 0) {
-        std::printf("%s: it can be played, but see the %s above.%s\n", checked.lesson.c_str(),
-                    checked.n_notes == 1 ? "sentence" : "sentences", not_played);
+    if (code == 0) {
+        const std::string end = checked.n_notes == 0
+                                    ? "no mistakes found."
+                                    : std::string("it can be played, but see the ") +
+                                          (checked.n_notes == 1 ? "sentence" : "sentences") +
+                                          " above.";
+        checked.say_each({checked.lesson + ": " + end +
+                          (options.quick ? " It was not played; leave --quick away." : "")});
+    }
+    return code;
+}
+
+void say_again(const FoundBefore& found) {
+    constexpr std::size_t kMost = 32;
+    std::array<char, kMost> when{};
+    std::tm parts{};
+    (void)std::strftime(when.data(), when.size(), "%Y-%m-%d at %H:%M",
+                        ::localtime_r(&found.at, &parts));
+    std::printf(
+        "%sThis was found on %s, and nothing has changed since; to look anew, add --again.\n",
+        found.said.c_str(), when.data());
+}
+
+int check_all(const Installation& installation, const Options& options, StageTeller& stages) {
+    Checked checked;
+    const auto folder = find_lesson(installation.places, options.lesson);
+    if (!folder || options.quick) {
+        return check_anew(installation, options, checked, stages);
+    }
+    const KeptCheck kept(installation.places, *folder, options.site, default_check_cache_folder());
+    if (const auto found = options.again ? std::nullopt : kept.read()) {
+        say_again(*found);
+        return 0;
+    }
+    const int code = check_anew(installation, options, checked, stages);
+    if (code == 0 && !interrupted()) {
+        kept.keep(checked.said);
     }
     return code;
 }

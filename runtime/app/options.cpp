@@ -27,7 +27,7 @@ constexpr std::array<CommandWord, 16> kCommands{{
      "--voice-speed --watch --mute --force-limit --feedback --key --scale --axes --middle --clutch "
      "--handed --first-use --real-time "},
     {"list", Command::list, false, " "},
-    {"check", Command::check, true, " --force-limit --quick "},
+    {"check", Command::check, true, " --force-limit --quick --again "},
     {"test", Command::test, true, " --force-limit --seed --errors --hand --by "},
     {"explain", Command::explain, true,
      " --mute --headless --speech --hear --listen --record --force-limit --analyze --json --hand "
@@ -197,7 +197,7 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
 
 bool takes_value(std::string_view flag) {
     return flag != "--headless" && flag != "--watch" && flag != "--mute" && flag != "--analyze" &&
-           flag != "--json" && flag != "--quick" && flag != "--real-time";
+           flag != "--json" && flag != "--quick" && flag != "--again" && flag != "--real-time";
 }
 
 void set_switch(Options& options, std::string_view flag) {
@@ -207,6 +207,7 @@ void set_switch(Options& options, std::string_view flag) {
     options.analyze |= flag == "--analyze";
     options.json |= flag == "--json";
     options.quick |= flag == "--quick";
+    options.again |= flag == "--again";
     options.real_time |= flag == "--real-time";
 }
 

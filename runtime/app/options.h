@@ -85,6 +85,7 @@ struct Options {
     bool mute = false;
     bool analyze = false;                 ///< explain: play it too, and tell what each stage cost
     bool quick = false;                   ///< check: without playing it
+    bool again = false;                   ///< check: also where nothing has changed since the last
     bool json = false;                    ///< explain, devices: for programs
     std::optional<double> force_limit_N;  ///< newtons, 0.5 to 10; no more than the site allows
     SiteLimits site{};                    ///< found for it (site_file.h)

@@ -48,6 +48,7 @@ constexpr std::string_view kUsage = R"(Fulcrum: lessons that are felt.
       --voice-speed N        0.5 to 2, 1 is as a teacher speaks (0.9)
   fulcrum list               the lessons
   fulcrum check LESSON       look for mistakes, also in what is only called in a play  (--quick: without playing it)
+      --again                also where nothing has changed since the last time, which is told again otherwise
   fulcrum test LESSON        play the lesson's own tests, by arm, by mouse and by keyboard  (--by NAME: by this one; --hand FILE.lua)
       --errors N             a simulated learner answers, who knows what is right and errs in so many parts of the answers, 0 to 0.9:
                              half of that in form, a third in meaning, else unclear; the lesson must come to its end  (--seed N)

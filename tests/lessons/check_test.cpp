@@ -241,3 +241,37 @@ TEST_CASE("check: a file that is no UTF-8 text is one sentence") {
         CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
     }
 }
+
+TEST_CASE("check: what was found is told again until something changes, or it is asked for anew") {
+    const Sandbox sandbox;
+    const std::string note = "lesson.lua:8: question \"second\": ";
+    const std::string text =
+        lesson_with(kGood + "right = function(a) return a.feel == \"sotf\" end") + "return L\n";
+    sandbox.write("x/lesson.lua", text);
+    const ProgramRun first = sandbox.run("check x");
+    check_run(first, 0, {note}, {"nothing has changed"});
+    const auto is_told_again = [&](const ProgramRun& run) {
+        return run.exit_code == 0 &&
+               run.output.starts_with(first.output + "This was found on 20") &&
+               run.output.ends_with(
+                   ", and nothing has changed since; to look anew, add --again.\n");
+    };
+    const ProgramRun second = sandbox.run("check x");
+    INFO(second.output);
+    CHECK(is_told_again(second));
+    CHECK(sandbox.run("check x --again").output == first.output);
+    // Ended in the middle it keeps nothing, and what is kept stays.
+    const ProgramRun ended = sandbox.run("check x --again", "timeout -s INT 0.2");
+    check_run(ended, {}, {}, {"another scene"});
+    CHECK(is_told_again(sandbox.run("check x")));
+    CHECK(sandbox.run("check x --force-limit 2").output == first.output);
+    sandbox.write("x/lesson.lua", "-- mended\n" + text);
+    check_run(sandbox.run("check x"), 0, {"lesson.lua:9: question"}, {"nothing has changed"});
+    // What fails is looked at each time, and leaves nothing behind.
+    sandbox.write("x/lesson.lua", text + "x = ");
+    for (int i = 0; i < 2; ++i) {
+        check_run(sandbox.run("check x"), 1, {"lesson.lua:"}, {"nothing has changed"});
+    }
+    sandbox.write("x/lesson.lua", "-- mended\n" + text);
+    check_run(sandbox.run("check x"), 0, {"nothing has changed"});
+}
