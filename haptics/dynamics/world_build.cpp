@@ -10,7 +10,7 @@ namespace {
 Expected<void> validate_body(const WorldBodyPlan& body, std::size_t index) {
     const std::string of = " of body " + std::to_string(index);
     const Range ranges[] = {
-        {"mass in kilograms" + of, body.mass_kg, 1e-6, 1e4},
+        {"mass in kilograms" + of, body.mass_kg, kLeastFalling_kg, 1e4},
         {"felt mass in kilograms" + of, body.felt_mass_kg, 0.0, 1e4},
         {"radius in metres" + of, body.radius_m, 0.001, 10.0},
         {"drag area in square metres" + of, body.drag_area_m2, 0.0, 10.0},

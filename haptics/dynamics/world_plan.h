@@ -8,8 +8,11 @@
 
 namespace fulcrum {
 
+/// What falls is at least as heavy as this.
+inline constexpr double kLeastFalling_kg = 1.0e-6;
+
 struct WorldBodyPlan {
-    double mass_kg = 1.0;  ///< the true mass
+    double mass_kg = 1.0;  ///< the true mass, at least kLeastFalling_kg
     double felt_mass_kg =
         1.0;  ///< mass whose weight is felt in the tool, scaled to fit the force limit
     double radius_m = 0.05;     ///< of the sphere that catches and lands

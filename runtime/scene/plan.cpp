@@ -103,7 +103,10 @@ WorldPlan world_plan(const LessonDescription& lesson, const FeltWeights& felt) {
     for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
         const BodyDescription& body = lesson.bodies[i];
         const double felt_mass_kg = gravity > 0.0 ? felt.newtons[i] / gravity : 0.0;
-        plan.bodies.push_back({body.mass_kg, felt_mass_kg, body.radius_m, body.drag_area_m2});
+        // What only stands there may have no mass.
+        const double mass_kg =
+            body.movable ? body.mass_kg : std::max(body.mass_kg, kLeastFalling_kg);
+        plan.bodies.push_back({mass_kg, felt_mass_kg, body.radius_m, body.drag_area_m2});
     }
     plan.catcher.present = lesson.bucket.present;
     plan.catcher.opening_radius_m = lesson.bucket.opening_radius_m;

@@ -1,5 +1,6 @@
 
 
+#include "haptics/dynamics/world.h"
 #include "tests/unit/runtime/scene/plan_scene.h"
 
 using namespace fulcrum::runtime::test;
@@ -97,6 +98,15 @@ TEST_CASE("plan: without gravity or bodies nothing is felt and nothing breaks") 
     const FeltWeights felt = fit_felt_weights(gravity_like().bodies, 0.0, 1, 5.0);
     CHECK(felt.newtons[0] == 0.0);
     CHECK(felt.scale == 1.0);
+}
+
+TEST_CASE("plan: scenery without a mass stands beside what falls") {
+    LessonDescription lesson = gravity_like();
+    lesson.bodies[2].movable = false;
+    lesson.bodies[2].mass_kg = 0.0;
+    const auto plan = compile_plan(lesson, {}, no_mesh);
+    REQUIRE(plan);
+    CHECK(validate(plan->world.value()));
 }
 
 TEST_CASE("plan: gravity has no proxy when nothing solid can be touched") {
