@@ -6,6 +6,7 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/math/spatial.h"
+#include "runtime/scene/lesson_limits.h"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "runtime/lua/api/rigid_bodies.h"
 
+#include "haptics/dynamics/world_plan.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/scene/shape_models.h"
 
@@ -11,9 +12,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr double kLeastFalling_kg = 1.0e-6;  // as WorldPlan has it
-constexpr double kLeastMass_kg = 0.001;      // a lighter one is no thing that a hand could feel
-constexpr double kMostTravel = 1.0e4;
+constexpr double kLeastMass_kg = 0.001;  // a lighter one is no thing that a hand could feel
 
 constexpr Parameter kJoint[] = {
     {"kind", ParameterType::choice, "", 0, 0, kRequired,
@@ -22,22 +21,22 @@ constexpr Parameter kJoint[] = {
      "hinge slider ball fixed rod"},
     {"to", ParameterType::name, "", 0, 0, "nil",
      "the name of a rigid body that was declared before; the world by default"},
-    {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
+    {"at", ParameterType::vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "nil",
      "where it is; of a rod its end on the other body; where the body is by default"},
-    {"end_at", ParameterType::vector, "metres", -10000, 10000, "nil",
+    {"end_at", ParameterType::vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "nil",
      "of a rod: its end on this body; where the body is by default"},
     {"axis", ParameterType::vector, "", -1, 1, "{0, 0, 1}",
      "of a hinge or slider: {0, 0, 1} points at you, {0, 1, 0} stands upright"},
-    {"lowest", ParameterType::number, "degrees, metres of a slider", -kMostTravel, 0, "nil",
+    {"lowest", ParameterType::number, "degrees, metres of a slider", -kMostJointTravel, 0, "nil",
      "it goes no further; no end by default"},
-    {"highest", ParameterType::number, "degrees, metres of a slider", 0, kMostTravel, "nil",
+    {"highest", ParameterType::number, "degrees, metres of a slider", 0, kMostJointTravel, "nil",
      "it goes no further; no end by default"},
-    {"speed", ParameterType::number, "degrees or metres per second", -kMostTravel, kMostTravel, "0",
-     "of its motor"},
-    {"force", ParameterType::number, "newtons, newton metres of a hinge", 0, 10000, "0",
+    {"speed", ParameterType::number, "degrees or metres per second", -kMostJointTravel,
+     kMostJointTravel, "0", "of its motor"},
+    {"force", ParameterType::number, "newtons, newton metres of a hinge", 0, kMostJointForce, "0",
      "that its motor has; 0 is no motor"},
-    {"friction", ParameterType::number, "newtons, newton metres of a hinge", 0, 10000, "0",
-     "what brakes it"}};
+    {"friction", ParameterType::number, "newtons, newton metres of a hinge", 0, kMostJointForce,
+     "0", "what brakes it"}};
 
 JointKind joint_kind_of(const std::string& name) {
     constexpr std::array<std::pair<std::string_view, JointKind>, 5> kKinds{
@@ -273,7 +272,7 @@ void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& a
         }
         body.mass_kg = arguments["density"].number * find_volume_m3(lua, body);
     }
-    if (body.mass_kg < kLeastMass_kg || body.mass_kg > 1.0e4) {
+    if (body.mass_kg < kLeastMass_kg || body.mass_kg > kMostBodyMass_kg) {
         raise_in_lesson(lua, body.name + " is rigid and has a mass of " +
                                  std::to_string(body.mass_kg) + " kg; give it 0.001 to 10000");
     }

@@ -169,10 +169,10 @@ void add_hinge_rows(ApiTable& table) {
          "turn",
          CallShape::record,
          CallTime::acting,
-         {{"angle", number, "degrees", -1e6, 1e6, "nil", "it is there at once"},
+         {{"angle", number, "degrees", -kMostTurn_deg, kMostTurn_deg, "nil", "it is there at once"},
           {"spin", number, "degrees per second", -5000, 5000, "nil",
            "it turns so fast from now on, until something brakes it"},
-          {"at", vector, "metres", -10000, 10000, "nil",
+          {"at", vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "nil",
            "a place that its axis passes through from now on, for a body where it was declared; at "
            "most 100 m from there"},
           {"load", number, "newtons", 0, kMostAxleLoad_N, "nil",
@@ -281,17 +281,23 @@ int get_axis(lua_State* lua, LessonContext& context, std::int32_t index) {
 void add_body_api(ApiTable& table) {
     using enum ParameterType;
     constexpr auto kActing = CallTime::acting;
-    const Parameter at = {
-        "at", vector, "metres", -10000, 10000, "nil", "where it is now by default"};
-    table.functions.push_back(
-        {"body",
-         "drop",
-         CallShape::record,
-         kActing,
-         {at, {"velocity", vector, "metres per second", -1000, 1000, "{0, 0, 0}", "at first"}},
-         "",
-         "Lets it fall.",
-         &drop});
+    const Parameter at = {"at",
+                          vector,
+                          "metres",
+                          -kMaxCoordinate_m,
+                          kMaxCoordinate_m,
+                          "nil",
+                          "where it is now by default"};
+    table.functions.push_back({"body",
+                               "drop",
+                               CallShape::record,
+                               kActing,
+                               {at,
+                                {"velocity", vector, "metres per second", -kMaxSpeed_m_per_s,
+                                 kMaxSpeed_m_per_s, "{0, 0, 0}", "at first"}},
+                               "",
+                               "Lets it fall.",
+                               &drop});
     table.functions.push_back(
         {"body",
          "place",

@@ -12,6 +12,8 @@
 namespace fulcrum::runtime {
 namespace {
 
+constexpr double kFar_m = kMaxCoordinate_m;
+
 int set_gravity(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
     context.description.gravity_W = Vector3(0.0, -arguments["acceleration"].number, 0.0);
     return 0;
@@ -43,10 +45,9 @@ int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& argu
 // What a body turns about.
 constexpr Parameter kHinge[] = {
     {"axis", ParameterType::vector, "", -1, 1, kRequired,
-     "along which it lies: {0, 0, 1} points at you, as of a lever, {0, 1, 0} stands upright, as of "
-     "a "
-     "door; when it points at you, angles grow counter-clockwise"},
-    {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
+     "along which it lies: {0, 0, 1} points at you, as of a lever, {0, 1, 0} stands upright, as "
+     "of a door; when it points at you, angles grow counter-clockwise"},
+    {"at", ParameterType::vector, "metres", -kFar_m, kFar_m, "nil",
      "a place that the axis passes through, at most 100 m from the body; where the body is by "
      "default"},
     {"inertia", ParameterType::number, "kilogram square metres", kLeastAxleInertia_kg_m2,
@@ -61,7 +62,7 @@ constexpr Parameter kHinge[] = {
      "it turns no further; no end by default"},
     {"load", ParameterType::number, "newtons", 0, kMostAxleLoad_N, "0",
      "a weight that hangs on it"},
-    {"load_at", ParameterType::vector, "metres", -10000, 10000, "nil",
+    {"load_at", ParameterType::vector, "metres", -kFar_m, kFar_m, "nil",
      "where it hangs at first, at most 100 m from the body; where the body is by default"}};
 
 AxleSettings take_hinge(lua_State* lua, const Arguments& arguments, const BodyDescription& body) {
@@ -143,16 +144,14 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         raise_in_lesson(lua, body.name + (body.rounded ? " is rounded" : " has a material") +
                                  " but can't be touched; add solid = true");
     }
-    if (std::any_of(bodies.begin(), bodies.end(),
-                    [&](const auto& b) { return b.name == body.name; })) {
+    if (std::ranges::count(bodies, body.name, &BodyDescription::name) > 0) {
         raise_in_lesson(
             lua, "there is already a body \"" + body.name + "\"; give this one another name");
     }
     if (bodies.size() >= static_cast<std::size_t>(kMaxBodies)) {
         raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxBodies) + " bodies");
     }
-    const auto n_solids =
-        std::count_if(bodies.begin(), bodies.end(), [](const auto& b) { return b.solid; });
+    const auto n_solids = std::ranges::count_if(bodies, &BodyDescription::solid);
     if (body.solid && n_solids >= kMaxSolids) {
         raise_in_lesson(lua,
                         "a lesson has at most " + std::to_string(kMaxSolids) + " solid bodies");
@@ -195,8 +194,7 @@ int add_force(lua_State* lua, LessonContext& context, const Argument& name, cons
     }
     ForceDescription force{name.given ? name.text : free_name(forces, kind), field,
                            place_in_lesson(lua).line};
-    if (std::any_of(forces.begin(), forces.end(),
-                    [&](const auto& f) { return f.name == force.name; })) {
+    if (std::ranges::count(forces, force.name, &ForceDescription::name) > 0) {
         raise_in_lesson(
             lua, "there is already a force \"" + force.name + "\"; give this one another name");
     }
@@ -233,24 +231,25 @@ int add_magnet(lua_State* lua, LessonContext& context, const Arguments& argument
 
 void add_scene_rows(ApiTable& table) {
     using enum ParameterType;
-    table.functions.push_back({"world",
-                               "gravity",
-                               CallShape::positional,
-                               CallTime::declaring,
-                               {{"acceleration", number, "metres per second squared", 0, 100,
-                                 kRequired, "downwards; 9.81 on Earth, 1.62 on the Moon"}},
-                               "",
-                               "Sets how strongly things fall.",
-                               &set_gravity});
     table.functions.push_back(
         {"world",
-         "ground",
+         "gravity",
          CallShape::positional,
          CallTime::declaring,
-         {{"height", number, "metres", -100, 100, kRequired, "where bodies land"}},
+         {{"acceleration", number, "metres per second squared", 0, kMostGravity_m_per_s2, kRequired,
+           "downwards; 9.81 on Earth, 1.62 on the Moon"}},
          "",
-         "Sets the height of the ground.",
-         &set_ground});
+         "Sets how strongly things fall.",
+         &set_gravity});
+    table.functions.push_back({"world",
+                               "ground",
+                               CallShape::positional,
+                               CallTime::declaring,
+                               {{"height", number, "metres", -kFarthestGround_m, kFarthestGround_m,
+                                 kRequired, "where bodies land"}},
+                               "",
+                               "Sets the height of the ground.",
+                               &set_ground});
     table.functions.push_back({"world",
                                "space",
                                CallShape::positional,
@@ -274,9 +273,10 @@ void add_scene_rows(ApiTable& table) {
          "camera",
          CallShape::record,
          CallTime::declaring,
-         {{"eye", vector, "metres", -10000, 10000, "{0, 0.55, 1.5}", "where the camera is"},
-          {"target", vector, "metres", -10000, 10000, "{0, 0.35, 0}", "what it looks at"},
-          {"angle", number, "degrees", 5, 120, "40", "how much it sees, from top to bottom"}},
+         {{"eye", vector, "metres", -kFar_m, kFar_m, "{0, 0.55, 1.5}", "where the camera is"},
+          {"target", vector, "metres", -kFar_m, kFar_m, "{0, 0.35, 0}", "what it looks at"},
+          {"angle", number, "degrees", kLeastView_deg, kMostView_deg, "40",
+           "how much it sees, from top to bottom"}},
          "",
          "Places the camera.",
          &set_camera});
@@ -286,14 +286,14 @@ void add_scene_rows(ApiTable& table) {
          CallShape::record,
          CallTime::declaring,
          {{"name", name, "", 0, 0, kRequired, "unique; how the lesson calls it, never the learner"},
-          {"noun", text, "", 0, 64, "nil",
+          {"noun", text, "", 0, kMostNounBytes, "nil",
            "English noun, as answers give it; the name by default, \"\" for scenery that no answer "
            "names; seen beside a movable body, and "
            "beside a solid one where it is not just its name"},
           {"model", name, "", 0, 0, "nil", "model to draw, see Models; the name by default"},
-          {"radius", number, "metres", 0.001, 10, "0.05", ""},
-          {"mass", number, "kilograms", 0, 10000, "1", "the true mass"},
-          {"exaggeration", number, "", 0, 100, "1",
+          {"radius", number, "metres", kLeastRadius_m, kMostRadius_m, "0.05", ""},
+          {"mass", number, "kilograms", 0, kMostBodyMass_kg, "1", "the true mass"},
+          {"exaggeration", number, "", 0, kMostExaggeration, "1",
            "felt weight / true weight, before all are made to fit the arm"},
           {"movable", flag, "", 0, 0, "false", "may fall, be caught and be held"},
           {"solid", flag, "", 0, 0, "false", "can be touched"},
@@ -302,23 +302,22 @@ void add_scene_rows(ApiTable& table) {
           {"rounded", flag, "", 0, 0, "false",
            "a solid body's facets are felt as one, even over bends of up to 30 degrees"},
           {"visible", flag, "", 0, 0, "false", "is seen from the start"},
-          {"at", vector, "metres", -10000, 10000, "{0, 0, 0}", "where it is at first"},
-          {"drag_area", number, "square metres", 0, 10, "0",
+          {"at", vector, "metres", -kFar_m, kFar_m, "{0, 0, 0}", "where it is at first"},
+          {"drag_area", number, "square metres", 0, kMostDragArea_m2, "0",
            "drag coefficient × cross-section, for falling in air"},
           {"hinge", record, "", 0, 0, "nil",
            "an axis that a solid body turns about, pushed by the hand; while it is, arm, force and "
            "torque are drawn",
            "", kHinge, std::size(kHinge)},
-          {"size", vector, "metres", 0, 10, "nil",
+          {"size", vector, "metres", 0, kMostEdge_m, "nil",
            "edges of a body with model = \"box\": width, height, depth; twice the radius by "
            "default"},
-          {"about", text, "", 0, 300, "",
+          {"about", text, "", 0, kMostAboutBytes, "",
            "what is said of a solid body when it is first touched, of a movable one when it is "
            "first caught, while no question is open"},
           {"boxes", boxes, "", 0, 0, "nil",
            "what a body with model = \"box\" is made of instead of one: a list of { at = {x, y, "
-           "z}, "
-           "size = {x, y, z} }, from the body's place; up to 200, as of a house or a maze"},
+           "z}, size = {x, y, z} }, from the body's place; up to 200, as of a house or a maze"},
           {"rigid", flag, "", 0, 0, "false",
            "a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and "
            "stacked; can be touched, and is seen unless visible = false"},
@@ -346,9 +345,9 @@ void add_scene_rows(ApiTable& table) {
          CallShape::record,
          CallTime::declaring,
          {{"model", name, "", 0, 0, "bucket", "model to draw, see Models"},
-          {"radius", number, "metres", 0.001, 10, "0.11", "of the opening"},
-          {"depth", number, "metres", 0.001, 10, "0.14", ""},
-          {"holds", integer, "", 1, 8, "1",
+          {"radius", number, "metres", kLeastRadius_m, kMostRadius_m, "0.11", "of the opening"},
+          {"depth", number, "metres", kLeastRadius_m, kMostRadius_m, "0.14", ""},
+          {"holds", integer, "", 1, kMostHeld, "1",
            "bodies at once; felt weights are scaled so that so many fit the arm"}},
          "",
          "Puts a bucket on the tool; movable bodies that fall into it are caught.",
@@ -366,9 +365,9 @@ void add_declaration_api(ApiTable& table) {
          CallShape::record,
          CallTime::declaring,
          {{"name", name, "", 0, 0, "nil", "\"spring1\", \"spring2\" … by default"},
-          {"at", vector, "metres", -10000, 10000, kRequired, "where it pulls to"},
-          {"stiffness", number, "newtons per metre", 0, 2000, kRequired, ""},
-          {"damping", number, "newton seconds per metre", 0, 50, "0", ""}},
+          {"at", vector, "metres", -kFar_m, kFar_m, kRequired, "where it pulls to"},
+          {"stiffness", number, "newtons per metre", 0, kMostSpring_N_per_m, kRequired, ""},
+          {"damping", number, "newton seconds per metre", 0, kMostFieldDamping_Ns_per_m, "0", ""}},
          "Force",
          "Declares a spring that pulls the hand. It is on from the start.",
          &add_spring});
@@ -378,7 +377,8 @@ void add_declaration_api(ApiTable& table) {
          CallShape::record,
          CallTime::declaring,
          {{"name", name, "", 0, 0, "nil", "\"viscosity1\", \"viscosity2\" … by default"},
-          {"damping", number, "newton seconds per metre", 0, 50, kRequired, "honey is about 20"}},
+          {"damping", number, "newton seconds per metre", 0, kMostFieldDamping_Ns_per_m, kRequired,
+           "honey is about 20"}},
          "Force",
          "Declares a thickness of the air that brakes the hand. It is on from the start.",
          &add_viscosity});
@@ -388,9 +388,10 @@ void add_declaration_api(ApiTable& table) {
          CallShape::record,
          CallTime::declaring,
          {{"name", name, "", 0, 0, "nil", "\"magnet1\", \"magnet2\" … by default"},
-          {"at", vector, "metres", -10000, 10000, kRequired, "where it pulls to"},
-          {"force", number, "newtons", 0, 10, kRequired, "the strongest pull"},
-          {"range", number, "metres", 0.001, 10, "0.1", "distance of the strongest pull"}},
+          {"at", vector, "metres", -kFar_m, kFar_m, kRequired, "where it pulls to"},
+          {"force", number, "newtons", 0, kMostMagnet_N, kRequired, "the strongest pull"},
+          {"range", number, "metres", kLeastMagnetRange_m, kMostMagnetRange_m, "0.1",
+           "distance of the strongest pull"}},
          "Force",
          "Declares a magnet that pulls the hand. It is on from the start.",
          &add_magnet});

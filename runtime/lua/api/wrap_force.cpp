@@ -57,15 +57,15 @@ void add_force_api(ApiTable& table) {
                                "",
                                "Switches it off; it fades.",
                                &switch_off});
-    table.functions.push_back(
-        {"force",
-         "move",
-         CallShape::record,
-         kActing,
-         {{"at", vector, "metres", -10000, 10000, kRequired, "where it pulls to from now on"}},
-         "",
-         "Moves a spring or a magnet.",
-         &move});
+    table.functions.push_back({"force",
+                               "move",
+                               CallShape::record,
+                               kActing,
+                               {{"at", vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m,
+                                 kRequired, "where it pulls to from now on"}},
+                               "",
+                               "Moves a spring or a magnet.",
+                               &move});
     table.functions.push_back(
         {"force",
          "strength",

@@ -314,12 +314,13 @@ void add_hand_api(ApiTable& table) {
          "hand",
          CallShape::record,
          CallTime::declaring,
-         {{"centre", vector, "metres", -10000, 10000, "{0, 0.3, 0}",
+         {{"centre", vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "{0, 0.3, 0}",
            "where the middle of the arm's reach lies"},
-          {"scale", number, "", 0.01, 100, "1",
+          {"scale", number, "", kLeastHandScale, kMostHandScale, "1",
            "metres in the scene for one metre of a hand that reaches 20 cm each way; one that "
            "reaches less gets more"},
-          {"rate", number, "hertz", 1000, 5000, "1000", "how often forces are computed"},
+          {"rate", number, "hertz", kLeastHandRate_Hz, kMostHandRate_Hz, "1000",
+           "how often forces are computed"},
           {"proxy", choice, "", 0, 0, "nil",
            "what solid bodies are touched with, by the name of its method; what the scene needs by "
            "default: friction_cone where something has friction",

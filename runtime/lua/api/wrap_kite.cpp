@@ -12,8 +12,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr double kBridleOfHeight =
-    1.25;  // where the lesson gives none: as NASA's own kite has them
+constexpr double kBridleOfHeight = 1.25;  // where none is given: as NASA's own kite has them
 constexpr double kKnotOfHeight = 0.85;
 constexpr double kBoxWidth_m = 0.4;
 
@@ -30,8 +29,7 @@ void check_bridle(lua_State* lua, const KiteSettings& design) {
         raise_in_lesson(
             lua, "a bridle of " + metres_text(design.bridle_m) + " m is too short for a kite of " +
                      metres_text(design.height_m) +
-                     " m: it goes from the foot over the knot to the top; make it longer "
-                     "than " +
+                     " m: it goes from the foot over the knot to the top; make it longer than " +
                      metres_text(1.01 * design.height_m) + " m");
     }
     const double least_m = 0.501 * slack_m;
@@ -238,9 +236,10 @@ int get_snapped(lua_State* lua, LessonContext& context, std::int32_t /*index*/) 
 std::vector<Parameter> design_parameters() {
     using enum ParameterType;
     return {{"shape", choice, "", 0, 0, "nil", "a diamond at first", "diamond delta sled box"},
-            {"height", number, "metres", 0.1, 5, "nil",
+            {"height", number, "metres", kLeastKite_m, kMostKite_m, "nil",
              "from foot to top, 0.8 at first; bridle and knot are made for it"},
-            {"width", number, "metres", 0.1, 5, "nil", "unfolded, 0.75 at first, of a box 0.4"},
+            {"width", number, "metres", kLeastKite_m, kMostKite_m, "nil",
+             "unfolded, 0.75 at first, of a box 0.4"},
             {"fold", number, "degrees", 0, 57, "nil",
              "how far each half is bent back, 14 at first; a sled's keels outwards"},
             {"cloth", choice, "", 0, 0, "nil",
@@ -249,13 +248,13 @@ std::vector<Parameter> design_parameters() {
             {"spar", choice, "", 0, 0, "nil",
              "balsa at first; skewers are a little lighter, birch and tube five times as heavy",
              "balsa birch tube skewer"},
-            {"bridle", number, "metres", 0.1, 50, "nil",
+            {"bridle", number, "metres", kLeastKite_m, kMostString_m, "nil",
              "the string from the foot over the knot to the top; 1.25 times the height at first"},
-            {"knot", number, "metres", 0, 50, "nil",
+            {"knot", number, "metres", 0, kMostString_m, "nil",
              "where on the bridle the line is tied, from the foot; 0.85 times the height at first. "
-             "Lower, "
-             "the kite stands steeper in the wind"},
-            {"tail", number, "metres", 0, 50, "nil", "how long it is; 2 at first, 0 for none"}};
+             "Lower, the kite stands steeper in the wind"},
+            {"tail", number, "metres", 0, kMostString_m, "nil",
+             "how long it is; 2 at first, 0 for none"}};
 }
 
 void add_kite_properties(ApiTable& table) {
@@ -308,13 +307,14 @@ void add_kite_api(ApiTable& table) {
     for (const Parameter& parameter :
          {Parameter{"line", number, "metres", kShortestReel_m, kLongestReel_m, "20",
                     "let out at first"},
-          Parameter{"strength", number, "newtons", 1, 1e6, "150", "the line breaks above it"},
-          Parameter{"stretch", number, "newtons", 10, 1e6, "500",
+          Parameter{"strength", number, "newtons", kLeastLineStrength_N, kMostLine_N, "150",
+                    "the line breaks above it"},
+          Parameter{"stretch", number, "newtons", kLeastLineStretch_N, kMostLine_N, "500",
                     "what would make the line twice as long; stretch / 5 times felt times the "
                     "hand's scale at most 2000"},
           Parameter{"segments", integer, "", 1, kMostLineSegments, "16",
                     "pieces that the line is computed in"},
-          Parameter{"felt", number, "", 0.01, 10, "1",
+          Parameter{"felt", number, "", kLeastKiteShare, kMostKiteShare, "1",
                     "newtons in the hand for a newton of the line; where the site allows less than "
                     "5 N, less in the same measure"},
           Parameter{"seen", number, "", 1, kMostKiteScale, "1",
@@ -336,7 +336,8 @@ void add_kite_api(ApiTable& table) {
          CallTime::declaring,
          {{"speed", number, "metres per second", 0, kFastestWind_m_per_s, "6",
            "10 metres above the ground; less below"},
-          {"gusts", number, "", 0, 4, "0", "0 is a steady wind, 1 as it usually is, 4 wild"},
+          {"gusts", number, "", 0, kMostGusts, "0",
+           "0 is a steady wind, 1 as it usually is, 4 wild"},
           {"towards", vector, "", -1, 1, "{1, 0, 0}",
            "the direction it blows to, along the ground"},
           {"over", choice, "", 0, 0, "grass",

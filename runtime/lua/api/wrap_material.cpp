@@ -14,11 +14,16 @@ using enum ParameterType;
 constexpr Parameter kTexture[] = {
     {"image", text, "", 0, 48, "nil",
      "PNG or JPEG beside the lesson, such as \"felt.jpg\": dark is low, light is high"},
-    {"grooves", number, "metres", 1e-4, 1, "nil", "straight grooves instead, so far apart"},
-    {"bumps", number, "metres", 1e-4, 1, "nil", "random bumps instead, at most so wide"},
-    {"size", number, "metres", 1e-4, 100, "0.05", "width of the whole picture on the surface"},
-    {"height", number, "metres", 1e-7, 0.01, "nil", "from the deepest valley to the highest peak"},
-    {"strength", number, "", 0, 100, "nil", "how strongly it is felt; 1 is as it is, 0 is smooth"},
+    {"grooves", number, "metres", kLeastRelief_m, kWidestRelief_m, "nil",
+     "straight grooves instead, so far apart"},
+    {"bumps", number, "metres", kLeastRelief_m, kWidestRelief_m, "nil",
+     "random bumps instead, at most so wide"},
+    {"size", number, "metres", kLeastRelief_m, kWidestPicture_m, "0.05",
+     "width of the whole picture on the surface"},
+    {"height", number, "metres", 1e-7, kHighestRelief_m, "nil",
+     "from the deepest valley to the highest peak"},
+    {"strength", number, "", 0, kMostReliefGain, "nil",
+     "how strongly it is felt; 1 is as it is, 0 is smooth"},
     {"law", choice, "", 0, 0, "nil",
      "how it is felt: the surface leans against each slope, or pushes sideways, or is carved",
      "perturbed_normal lateral height_offset"},
@@ -27,7 +32,8 @@ constexpr Parameter kTexture[] = {
 constexpr Parameter kTap[] = {
     {"frequency", number, "hertz", 5, 1000, "nil", "of the ringing"},
     {"time", number, "seconds", 0.0005, 0.2, "nil", "until it has died away to a third"},
-    {"strength", number, "newtons for each metre a second", 0, 100, "nil", "of the ringing"},
+    {"strength", number, "newtons for each metre a second", 0, kMostTap_Ns_per_m, "nil",
+     "of the ringing"},
 };
 
 /// How much of the bumps' widest wave the narrowest has.
@@ -66,7 +72,7 @@ void take_texture(lua_State* lua, const Arguments& given, MaterialDescription& m
         material.image.clear();
         const double widest_m = given["bumps"].number;
         texture.source =
-            NoiseTexture{std::max(kNarrowBumps * widest_m, kTexture[2].low), widest_m, 1};
+            NoiseTexture{std::max(kNarrowBumps * widest_m, kLeastRelief_m), widest_m, 1};
     } else if (!texture.any()) {
         raise_in_lesson(lua, "material.texture has no relief; give it image, grooves or bumps");
     }
@@ -271,10 +277,10 @@ void add_material_api(ApiTable& table) {
           {"stiffness", number, "newtons per metre", 10, 5000, "nil",
            "of its spring; a cushion is about 100, and an arm holds some 500 to 1000"},
           {"damping", number, "newton seconds per metre", 0, 50, "nil", "how much it swallows"},
-          {"friction", number, "", 0, 5, "nil",
+          {"friction", number, "", 0, kMostFriction, "nil",
            "what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, "
            "rubber 1"},
-          {"sliding_friction", number, "", 0, 5, "nil",
+          {"sliding_friction", number, "", 0, kMostFriction, "nil",
            "the same while it slides; 0.8 of friction by default"},
           {"texture", record, "", 0, 0, "nil", "its relief", "", kTexture, std::size(kTexture)},
           {"tap", record, "", 0, 0, "nil", "how it rings when it is tapped", "", kTap,

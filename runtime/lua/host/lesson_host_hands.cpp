@@ -12,9 +12,9 @@ namespace {
 /// A coordinate of the hand's target.
 double check_target(lua_State* lua, int index) {
     const double value = lua_tonumber(lua, index);
-    if (lua_type(lua, index) != LUA_TNUMBER || !(std::abs(value) <= kMaxCoordinate_m)) {
+    if (lua_type(lua, index) != LUA_TNUMBER || !(std::abs(value) <= kFarthestAim_m)) {
         raise_in_lesson(lua,
-                        "a simulated hand gives x, y and z in metres, -10000 to 10000, and buttons "
+                        "a simulated hand gives x, y and z in metres, -10100 to 10100, and buttons "
                         "if it presses any");
     }
     return value;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "runtime/lua/wire/wire.h"
+#include "runtime/scene/lesson_limits.h"
 
 #include <bit>
 #include <cmath>

@@ -10,14 +10,14 @@ namespace fulcrum::runtime::wire {
 template <class Archive, class Design>
 void kite_design(Archive& a, Design& k) {
     a.choice("a kite's shape", k.shape, KiteShape::box);
-    a.number("a kite's height", k.height_m, 0.1, 5.0);
-    a.number("a kite's width", k.width_m, 0.1, 5.0);
+    a.number("a kite's height", k.height_m, kLeastKite_m, kMostKite_m);
+    a.number("a kite's width", k.width_m, kLeastKite_m, kMostKite_m);
     a.number("a kite's fold", k.fold_rad, 0.0, 1.0);
     a.number("a kite's cloth", k.cloth_kg_per_m2, 1.0e-3, 2.0);
     a.number("a kite's spars", k.spar_kg_per_m, 1.0e-4, 1.0);
-    a.number("a kite's bridle", k.bridle_m, 0.1, 50.0);
-    a.number("a kite's knot", k.knot_m, 0.0, 50.0);
-    a.number("a kite's tail", k.tail_m, 0.0, 50.0);
+    a.number("a kite's bridle", k.bridle_m, kLeastKite_m, kMostString_m);
+    a.number("a kite's knot", k.knot_m, 0.0, kMostString_m);
+    a.number("a kite's tail", k.tail_m, 0.0, kMostString_m);
     a.number("a tail's mass", k.tail_kg_per_m, 0.0, 0.1);
     a.number("a tail's drag", k.tail_drag_m2_per_m, 0.0, 1.0);
     a.choice("the law of a kite's plates", k.law, PlateLaw::thin_plate);
@@ -34,11 +34,11 @@ void kite_line(Archive& a, Line& l) {
     a.number("a line's length", l.length_m, kShortestReel_m, kLongestReel_m);
     a.integer("a line's segments", l.segments, 1, kMostLineSegments);
     a.number("a line's mass", l.mass_kg_per_m, 1.0e-5, 0.1);
-    a.number("a line's stretch", l.stretch_N, 10.0, 1.0e6);
+    a.number("a line's stretch", l.stretch_N, kLeastLineStretch_N, kMostLine_N);
     a.number("a line's damping", l.damping_s, 0.0, 1.0);
     a.number("a line's thickness", l.diameter_m, 0.0, 0.02);
     a.number("a line's drag", l.drag_coefficient, 0.0, 2.0);
-    a.number("a line's strength", l.strength_N, 1.0, 1.0e6);
+    a.number("a line's strength", l.strength_N, kLeastLineStrength_N, kMostLine_N);
 }
 
 template <class Archive, class Described>
@@ -47,7 +47,7 @@ void kite(Archive& a, Described& k) {
     kite_line(a, k.flight.line);
     a.name("a kite's cloth", k.cloth);
     a.name("a kite's spar", k.spar);
-    a.number("what is felt of a kite", k.share, 0.01, 10.0);
+    a.number("what is felt of a kite", k.share, kLeastKiteShare, kMostKiteShare);
     a.number("how large a kite is seen", k.seen_scale, 1.0, kMostKiteScale);
     a.number("a line's elevation", k.elevation_rad, 0.0, 1.5);
     a.integer("a line", k.line, 0, kMaxLine);
@@ -56,7 +56,7 @@ void kite(Archive& a, Described& k) {
 template <class Archive, class Wind>
 void wind(Archive& a, Wind& w) {
     a.number("the wind", w.speed_m_per_s, 0.0, kFastestWind_m_per_s);
-    a.number("the gusts", w.gustiness, 0.0, 4.0);
+    a.number("the gusts", w.gustiness, 0.0, kMostGusts);
     a.number("the ground's roughness", w.roughness_m, 1.0e-5, 5.0);
     vector(a, "the wind's direction", w.downwind_W, 1.0);
     a.integer("a line", w.line, 0, kMaxLine);

@@ -18,12 +18,12 @@ namespace fulcrum::runtime::wire {
 template <class Archive, class Body>
 void body(Archive& a, Body& b) {
     a.name("a body's name", b.name);
-    a.text("a body's noun", b.noun, 64);
+    a.text("a body's noun", b.noun, kMostNounBytes);
     a.name("a body's model", b.model);
-    a.number("a body's radius", b.radius_m, 0.001, 10.0);
-    a.number("a body's mass", b.mass_kg, 0.0, 1e4);
-    a.number("a body's exaggeration", b.exaggeration, 0.0, 100.0);
-    a.number("a body's drag area", b.drag_area_m2, 0.0, 10.0);
+    a.number("a body's radius", b.radius_m, kLeastRadius_m, kMostRadius_m);
+    a.number("a body's mass", b.mass_kg, 0.0, kMostBodyMass_kg);
+    a.number("a body's exaggeration", b.exaggeration, 0.0, kMostExaggeration);
+    a.number("a body's drag area", b.drag_area_m2, 0.0, kMostDragArea_m2);
     a.flag("solid", b.solid);
     a.flag("movable", b.movable);
     a.flag("visible", b.visible);
@@ -33,9 +33,9 @@ void body(Archive& a, Body& b) {
     optional(a, "a hinge", b.hinge, [](auto& each, auto& h) { hinge(each, h); });
     optional(a, "a rigid body", b.rigid, [](auto& each, auto& r) { rigid(each, r); });
     for (int i = 0; i < 3; ++i) {
-        a.number("a body's size", b.size_m[i], 0.0, 10.0);
+        a.number("a body's size", b.size_m[i], 0.0, kMostEdge_m);
     }
-    a.text("what is said of a body", b.about, kMaxTextBytes);
+    a.text("what is said of a body", b.about, kMostAboutBytes);
     boxes(a, b.boxes);
     a.name("what is felt of a body", b.felt_model);
     a.name("what is simulated of a body", b.simulated_model);
@@ -48,27 +48,28 @@ void force(Archive& a, Force& f) {
     a.name("a force's name", f.name);
     a.choice("a force's kind", f.field.kind, FieldKind::magnet);
     vector(a, "a force's anchor", f.field.anchor_W, kMaxCoordinate_m);
-    a.number("a force's stiffness", f.field.stiffness_N_per_m, 0.0, 2000.0);
-    a.number("a force's damping", f.field.damping_Ns_per_m, 0.0, 50.0);
-    a.number("a force's peak", f.field.peak_force_N, 0.0, 10.0);
-    a.number("a force's range", f.field.range_m, 0.001, 10.0);
+    a.number("a force's stiffness", f.field.stiffness_N_per_m, 0.0, kMostSpring_N_per_m);
+    a.number("a force's damping", f.field.damping_Ns_per_m, 0.0, kMostFieldDamping_Ns_per_m);
+    a.number("a force's peak", f.field.peak_force_N, 0.0, kMostMagnet_N);
+    a.number("a force's range", f.field.range_m, kLeastMagnetRange_m, kMostMagnetRange_m);
     a.integer("a line", f.line, 0, kMaxLine);
 }
 
 template <class Archive, class Description>
 void description(Archive& a, Description& d) {
     a.name("the lesson's id", d.id);
-    a.text("the title", d.title, 200);
-    a.text("the level", d.level, 16);
-    a.number("the minutes", d.minutes, 0.0, 1000.0);
-    optional(a, "a limit of force", d.force_limit_N,
-             [](auto& each, auto& limit) { each.number("a limit of force", limit, 0.5, 10.0); });
+    a.text("the title", d.title, kMostTitleBytes);
+    a.text("the level", d.level, kMostLevelBytes);
+    a.number("the minutes", d.minutes, 0.0, kMostMinutes);
+    optional(a, "a limit of force", d.force_limit_N, [](auto& each, auto& limit) {
+        each.number("a limit of force", limit, kLeastForceLimit_N, kMostForceLimit_N);
+    });
     a.flag("free English", d.free_english);
     ladder(a, d.feedback);
     a.integer("the tries", d.tries, 1, kMostTries);
     a.number("the sureness", d.sureness, 0.0, 1.0);
-    vector(a, "gravity", d.gravity_W, 100.0);
-    a.number("the ground", d.ground_height_m, -100.0, 100.0);
+    vector(a, "gravity", d.gravity_W, kMostGravity_m_per_s2);
+    a.number("the ground", d.ground_height_m, -kFarthestGround_m, kFarthestGround_m);
     a.list("materials", d.materials, kMaxMaterials, [](auto& each, auto& m) { material(each, m); });
     a.list("bodies", d.bodies, static_cast<std::size_t>(kMaxBodies),
            [](auto& each, auto& b) { body(each, b); });
@@ -76,14 +77,14 @@ void description(Archive& a, Description& d) {
            [](auto& each, auto& f) { force(each, f); });
     a.flag("a bucket", d.bucket.present);
     a.name("the bucket's model", d.bucket.model);
-    a.number("the bucket's radius", d.bucket.opening_radius_m, 0.001, 10.0);
-    a.number("the bucket's depth", d.bucket.depth_m, 0.001, 10.0);
-    a.integer("what the bucket holds", d.bucket.holds, 1, 8);
+    a.number("the bucket's radius", d.bucket.opening_radius_m, kLeastRadius_m, kMostRadius_m);
+    a.number("the bucket's depth", d.bucket.depth_m, kLeastRadius_m, kMostRadius_m);
+    a.integer("what the bucket holds", d.bucket.holds, 1, kMostHeld);
     a.integer("a line", d.bucket.line, 0, kMaxLine);
     a.flag("space", d.in_space);
     vector(a, "the camera's eye", d.camera.eye_W, kMaxCoordinate_m);
     vector(a, "the camera's target", d.camera.target_W, kMaxCoordinate_m);
-    a.number("the camera's angle", d.camera.vertical_angle_deg, 5.0, 120.0);
+    a.number("the camera's angle", d.camera.vertical_angle_deg, kLeastView_deg, kMostView_deg);
     hand(a, d.hand);
     a.list("more hands", d.more_hands, kMostHands - 1, [](auto& each, auto& h) { hand(each, h); });
     optional(a, "a kite", d.kite, [](auto& each, auto& k) { kite(each, k); });
@@ -268,8 +269,9 @@ void move_command(Archive& a, Move& m, const ReplyBounds& bounds) {
 template <class Archive, class Turn>
 void turn_command(Archive& a, Turn& t, const ReplyBounds& bounds) {
     a.integer("a turned body", t.body, 0, bounds.n_bodies - 1);
-    optional(a, "an angle", t.angle_rad,
-             [](auto& each, auto& v) { each.number("an angle", v, -1e6, 1e6); });
+    optional(a, "an angle", t.angle_rad, [](auto& each, auto& v) {
+        each.number("an angle", v, -kMostTurn_deg, kMostTurn_deg);
+    });
     optional(a, "a spin", t.spin_rad_per_s,
              [](auto& each, auto& v) { each.number("a spin", v, -100.0, 100.0); });
     optional(a, "a pivot", t.pivot_W,
@@ -323,10 +325,10 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
         known_question(a, c.question, bounds);
         a.flag("a verdict", c.right);
     } else if constexpr (std::is_same_v<Kind, ScoreCommand>) {
-        a.integer("a score", c.score, -1'000'000, 1'000'000);
+        a.integer("a score", c.score, -kMostScore, kMostScore);
     } else if constexpr (std::is_same_v<Kind, LevelCommand>) {
-        a.integer("a level", c.level, 0, 99);
-        a.text("a level's title", c.title, 200);
+        a.integer("a level", c.level, 0, kMostLevel);
+        a.text("a level's title", c.title, kMostTitleBytes);
     } else if constexpr (std::is_same_v<Kind, SoundCommand>) {
         a.name("a sound", c.name);
     } else if constexpr (std::is_same_v<Kind, CoverCommand>) {
@@ -345,7 +347,7 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
         a.text("what is told", c.text, kMaxTextBytes);
     } else {
         static_assert(std::is_same_v<Kind, FinishCommand>);
-        a.integer("stars", c.stars, 0, 3);
+        a.integer("stars", c.stars, 0, kMostStars);
     }
 }
 
@@ -357,12 +359,12 @@ void reply(Archive& a, Reply& r, const ReplyBounds& bounds) {
         });
     });
     a.flag("a hand target", r.has_hand_target);
-    pose(a, "the hand's target", r.hand_target_W, kMaxCoordinate_m);
+    pose(a, "the hand's target", r.hand_target_W, kFarthestAim_m);
     a.integer("the hand's buttons", r.hand_buttons, 0, UINT32_MAX);
     a.name("the hand's key", r.hand_key);
     a.list("more aims", r.more_aims, kMostHands - 1, [](auto& each, auto& aim) {
         each.flag("an aim", aim.is_given);
-        pose(each, "a hand's aim", aim.target_W, kMaxCoordinate_m);
+        pose(each, "a hand's aim", aim.target_W, kFarthestAim_m);
         each.integer("a hand's buttons", aim.buttons, 0, UINT32_MAX);
     });
 }

@@ -15,14 +15,14 @@ template <class Archive, class Source>
 void texture_source(Archive& a, Source& s) {
     using Kind = std::remove_cvref_t<Source>;
     if constexpr (std::is_same_v<Kind, ImageTexture>) {
-        a.number("a picture's width", s.tile_u_m, 1e-4, 100.0);
-        a.number("a picture's height", s.tile_v_m, 1e-4, 100.0);
+        a.number("a picture's width", s.tile_u_m, kLeastRelief_m, kWidestPicture_m);
+        a.number("a picture's height", s.tile_v_m, kLeastRelief_m, kWidestPicture_m);
     } else if constexpr (std::is_same_v<Kind, SineTexture>) {
-        a.number("the grooves' distance", s.wavelength_m, 1e-4, 1.0);
+        a.number("the grooves' distance", s.wavelength_m, kLeastRelief_m, kWidestRelief_m);
         a.number("the grooves' direction", s.direction_rad, -100.0, 100.0);
     } else if constexpr (std::is_same_v<Kind, NoiseTexture>) {
-        a.number("the bumps' least width", s.shortest_m, 1e-4, 1.0);
-        a.number("the bumps' most width", s.longest_m, 1e-4, 1.0);
+        a.number("the bumps' least width", s.shortest_m, kLeastRelief_m, kWidestRelief_m);
+        a.number("the bumps' most width", s.longest_m, kLeastRelief_m, kWidestRelief_m);
         a.integer("the bumps' seed", s.seed, 0, UINT32_MAX);
     }
 }
@@ -35,16 +35,16 @@ void felt(Archive& a, Felt& m) {
     a.number("a material's linear range", m.coupling.linear_range_m, 0.0, 1e3);
     a.number("a material's saturation", m.coupling.saturation_range_m, 0.0, 1e3);
     a.number("a material's largest force", m.coupling.saturation_force_N, 0.0, 1e3);
-    a.number("a material's friction", m.friction.static_coefficient, 0.0, 5.0);
-    a.number("a material's sliding friction", m.friction.dynamic_coefficient, 0.0, 5.0);
+    a.number("a material's friction", m.friction.static_coefficient, 0.0, kMostFriction);
+    a.number("a material's sliding friction", m.friction.dynamic_coefficient, 0.0, kMostFriction);
     a.number("a material's drag", m.friction.viscous_Ns_per_m, 0.0, 100.0);
     a.one_of("a texture", m.texture.source,
              [](auto& archive, auto& alternative) { texture_source(archive, alternative); });
     a.choice("a texture's law", m.texture.law, TextureLaw::height_offset);
-    a.number("a texture's height", m.texture.height_m, 0.0, 0.01);
-    a.number("a texture's strength", m.texture.gain, 0.0, 100.0);
+    a.number("a texture's height", m.texture.height_m, 0.0, kHighestRelief_m);
+    a.number("a texture's strength", m.texture.gain, 0.0, kMostReliefGain);
     a.choice("a tap", m.transient.kind, TransientKind::acceleration_matching);
-    a.number("a tap's force", m.transient.force_Ns_per_m, 0.0, 100.0);
+    a.number("a tap's force", m.transient.force_Ns_per_m, 0.0, kMostTap_Ns_per_m);
     a.number("a tap's acceleration", m.transient.acceleration_per_s, 0.0, 1e4);
     a.number("a tap's frequency", m.transient.frequency_Hz, 0.0, 1e4);
     a.number("a tap's decay", m.transient.decay_per_s, 0.0, 1e4);
@@ -103,9 +103,9 @@ void joint(Archive& a, Joint& j) {
     vector(a, "a joint's axis", j.axis_W, 1.0);
     a.number("a joint's lowest", j.lowest, -kAnyTravel, 0.0);
     a.number("a joint's highest", j.highest, 0.0, kAnyTravel);
-    a.number("a joint's speed", j.speed, -1e4, 1e4);
-    a.number("a joint's force", j.force, 0.0, 1e4);
-    a.number("a joint's friction", j.friction, 0.0, 1e4);
+    a.number("a joint's speed", j.speed, -kMostJointTravel, kMostJointTravel);
+    a.number("a joint's force", j.force, 0.0, kMostJointForce);
+    a.number("a joint's friction", j.friction, 0.0, kMostJointForce);
 }
 
 template <class Archive, class Rigid>
@@ -188,8 +188,8 @@ void proxy(Archive& a, Hand& h) {
 template <class Archive, class Hand>
 void hand(Archive& a, Hand& h) {
     vector(a, "the hand's centre", h.centre_W, kMaxCoordinate_m);
-    a.number("the hand's scale", h.scale, 0.01, 100.0);
-    a.number("the hand's rate", h.rate_hz, 1000.0, 5000.0);
+    a.number("the hand's scale", h.scale, kLeastHandScale, kMostHandScale);
+    a.number("the hand's rate", h.rate_hz, kLeastHandRate_Hz, kMostHandRate_Hz);
     a.flag("a lesson force", h.lesson_force);
     a.integer("a line", h.force_line, 0, kMaxLine);
     proxy(a, h);

@@ -234,7 +234,7 @@ TEST_CASE("lesson host: a hand's mistakes are told with its file") {
     HostedLesson wild;
     REQUIRE(wild.load("", "\nreturn function() return 0/0, 2, 3 end") == "");
     CHECK(wild.play() ==
-          "hand.lua:2: a simulated hand gives x, y and z in metres, -10000 to 10000, and buttons "
+          "hand.lua:2: a simulated hand gives x, y and z in metres, -10100 to 10100, and buttons "
           "if it presses any.");
 }
 
