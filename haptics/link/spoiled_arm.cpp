@@ -51,6 +51,11 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) noexcept {
 
 }  // namespace
 
+FeltLimits felt_limits(const SafetySettings& gate) noexcept {
+    return {gate.max_force_N, gate.max_torque_Nm, gate.max_slew_N_per_s,
+            gate.max_slew_N_per_s * gate.max_torque_Nm / gate.max_force_N};
+}
+
 FeltLimit find_broken(const FeltLimits& limits, const Wrench& before, const Wrench& now,
                       double dt_s) noexcept {
     const auto keeps = [](double value, double most) { return value <= most + kRounding; };
@@ -152,13 +157,12 @@ void SpoiledArm::keep_limits(const SafetySettings& run) noexcept {
 
 // A force goes through two gates, the program's and the arm's: each keeps all of its own, and the second what the first one told.
 void SpoiledArm::watch_limits(const SafetySettings& run) noexcept {
-    const auto slew_Nm_per_s = [](const SafetySettings& s) {
-        return s.max_slew_N_per_s * s.max_torque_Nm / s.max_force_N;
-    };
-    limits_.force_N = std::min(run.max_force_N, own_.max_force_N);
-    limits_.torque_Nm = std::min(run.max_torque_Nm, own_.max_torque_Nm);
-    limits_.slew_N_per_s = std::min(run.max_slew_N_per_s, own_.max_slew_N_per_s);
-    limits_.slew_Nm_per_s = std::min(slew_Nm_per_s(run), slew_Nm_per_s(own_));
+    const FeltLimits programs = felt_limits(run);
+    const FeltLimits arms = felt_limits(own_);
+    limits_.force_N = std::min(programs.force_N, arms.force_N);
+    limits_.torque_Nm = std::min(programs.torque_Nm, arms.torque_Nm);
+    limits_.slew_N_per_s = std::min(programs.slew_N_per_s, arms.slew_N_per_s);
+    limits_.slew_Nm_per_s = std::min(programs.slew_Nm_per_s, arms.slew_Nm_per_s);
 }
 
 double SpoiledArm::draw_first(SplitMix& chance) noexcept {

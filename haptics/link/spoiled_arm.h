@@ -75,6 +75,9 @@ struct FeltLimits {
     double slew_Nm_per_s = SafetySettings{}.max_slew_N_per_s;
 };
 
+/// What a gate with these settings lets through.
+[[nodiscard]] FeltLimits felt_limits(const SafetySettings& gate) noexcept;
+
 /// Which of them was passed.
 enum class FeltLimit : std::uint8_t { none, force, slew, torque, torque_slew };
 [[nodiscard]] constexpr const char* name_of(FeltLimit limit) noexcept {

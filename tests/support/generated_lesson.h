@@ -34,12 +34,11 @@ class LessonWriter {
         write_update();
         lesson_.text += "return L\n";
         lesson_.hand =
-            "local x, y, z\nreturn function(hand, t)\n  x, y, z = x or hand.x, y or hand.y, z or "
-            "hand.z\n"
-            "  local way = " +
+            "local x, y, z\nreturn function(hand, t)\n  if t < 0.1 then return end\n"
+            "  x, y, z = x or hand.x, y or hand.y, z or hand.z\n  local way = " +
             lua_number(0.03 * scale_) +
-            " * math.sin(2 * math.max(t - 0.6, 0))\n  return x + way, y - way, z + 0.5 * way, t > "
-            "1 and t < 2\nend\n";
+            " * math.sin(2 * math.max(t - 1.1, 0))\n"
+            "  return x + way, y - way, z + 0.5 * way, t > 1 and t < 2\nend\n";
         return std::move(lesson_);
     }
 
@@ -48,7 +47,7 @@ class LessonWriter {
     // it to is given no force at all.
     static constexpr const char* kPrelude = R"lua(
 local held = { body = {}, force = {}, hand = {}, material = {}, kite = {} }
-local done, frame, x0 = {}, 0, nil
+local done, frame, x0 = {}, 0, false
 local function try(id, kind, place, call)
   local fine, value = pcall(call)
   if fine and done[#done] ~= id then done[#done + 1] = id end
@@ -63,7 +62,7 @@ local function some(things, call)
   if not fine then error(why, 0) end
 end
 local function tell() print("done " .. table.concat(done, " ")) done = {} end
-local function from_start(x) x0 = x0 or x return x - x0 end
+local function from_start(x) x0 = frame > 5 and (x0 or x) return x0 and x - x0 or 0 end
 local function many(value, n) local all = {} for i = 1, n do all[i] = value end return all end
 )lua";
     static constexpr const char* kHostilePrelude = R"lua(
@@ -89,12 +88,11 @@ end
     };
     static constexpr BodyKind kBodyKinds[] = {
         {"", "noun radius mass exaggeration visible at drag_area"},
-        {"solid = true, ",
-         "noun radius mass material rounded visible at about felt_model simulated_model shape"},
+        {"solid = true, ", "noun radius mass material rounded visible at about felt_model"},
         {"solid = true, model = \"box\", ", "size material visible at"},
         {"solid = true, model = \"box\", ", "boxes material at visible"},
         {"solid = true, ", "radius mass material hinge at visible"},
-        {"solid = true, hinge = { axis = { 0, 0, 1 }, inertia = 0.1 }, ", "radius mass at visible"},
+        {"solid = true, hinge = { axis = { 0, 0, 1 }, inertia = 10 }, ", "radius mass at visible"},
         {"movable = true, ", "noun radius mass exaggeration visible at drag_area about"},
         {"movable = true, solid = true, ", "radius mass exaggeration visible at material"},
         {"rigid = true, ",
@@ -169,12 +167,15 @@ end
         write_acting(2 + choices_.below(6));
         lesson_.text +=
             R"lua(    tell()
-  elseif frame == 30 then
+  elseif frame == 5 then
+    for _, force in pairs(held.force) do force:off() end
+  elseif frame == 40 then
     for _, force in pairs(held.force) do
       force:move { at = world:tool().position }
       force:strength(1)
       force:on()
     end
+  elseif frame == 60 then
     for _, body in pairs(held.body) do pcall(function() body:hold() end) end
   elseif frame == )lua" +
             std::string(is_short ? "3" : "150") + " then\n    " +
@@ -209,6 +210,11 @@ end
             const std::string_view owner = binding.owner;
             const std::string receiver =
                 owner == "lesson" ? "L" : declared_.handle(choices_, owner);
+            // The wind is for a kite.
+            if (binding.name == std::string_view("wind") && !declared_.handles.contains("kite") &&
+                !choices_.chance(3)) {
+                continue;
+            }
             if (!receiver.empty() && binding.name == std::string_view("body")) {
                 write_body(choices_.below(std::size(kBodyKinds)));
                 return;
@@ -257,10 +263,14 @@ end
                 declared_.questions.push_back(name);
             }
         }
+        // What is asked and answered has to fit together in more than the table tells.
+        const bool is_talk = binding.shape == CallShape::named_record && !choices_.chance(20);
+        const char* only = is_talk ? "prompt answers right again feedback asked answer" : "";
+        const bool is_hand = binding.name == std::string_view("hand");
         const std::size_t percents[] = {30, 0, 10, 60};
-        const std::string record =
-            values_.record(fields, pick(choices_, percents), {}, &call.fields);
-        if (binding.name == std::string_view("hand") && scale_ == 1.0) {
+        const std::size_t percent = is_hand ? 10 : pick(choices_, percents);
+        const std::string record = values_.record(fields, percent, only, &call.fields);
+        if (is_hand && scale_ == 1.0) {
             const std::size_t at = record.find(" scale = ");
             scale_ = at == std::string::npos ? 1.0 : std::strtod(record.c_str() + at + 9, nullptr);
         }

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -161,6 +162,15 @@ class ValueWriter {
             return choices_.chance(50) ? "function() return " + text(2 * kMaxTextBytes) + " end"
                                        : "function() end";
         }
+        if (const auto usual = usual_range(parameter); usual && !choices_.chance(10)) {
+            return lua_number(usual->first + (usual->second - usual->first) * choices_.part());
+        }
+        const bool is_sentence = name == "answers" || name == "asked" || name == "prompt";
+        if (is_sentence && !choices_.chance(10)) {
+            return name == "answers" ? R"({ "it is an apple" })"
+                   : name == "asked" ? R"({ "is it an apple" })"
+                                     : R"("What is it?")";
+        }
         if (name == "feedback") {
             return R"({ "recast", "prompt", "rule", "replay" })";
         }
@@ -179,6 +189,21 @@ class ValueWriter {
         const bool is_known =
             name == "to" || (name == "name" && parameter.type == ParameterType::text);
         return is_known && !declared_.names.empty() ? pick(choices_, declared_.names) : "";
+    }
+
+    /// Where most of what the table allows goes with a hand and with nothing else that pulls at it.
+    static std::optional<std::pair<double, double>> usual_range(const Parameter& parameter) {
+        const std::string_view name = parameter.name;
+        if (parameter.type != ParameterType::number) {
+            return std::nullopt;
+        }
+        using Ends = std::optional<std::pair<double, double>>;
+        return name == "scale"                                                ? Ends({0.5, 1.5})
+               : name == "stiffness" && parameter.high == kMostSpring_N_per_m ? Ends({20.0, 400.0})
+               : name == "damping" && parameter.high == kMostFieldDamping_Ns_per_m
+                   ? Ends({2.0, 8.0})
+               : name == "force" && parameter.high == kMostMagnet_N ? Ends({0.5, 8.0})
+                                                                    : Ends{};
     }
 
     /// What the program told the lesson, of the type that is asked for: by the table of what can be read.
@@ -226,7 +251,8 @@ class ValueWriter {
             case ParameterType::texts:
                 return texts();
             case ParameterType::lists:
-                return "{ thing = " + texts() + ", [" + new_name("l") + "] = " + texts() + " }";
+                return "{ thing = { \"an apple\", \"a pear\" }, [" + new_name("l") +
+                       "] = " + texts() + " }";
             case ParameterType::rules:
                 return "{ [" + new_name("r") + "] = " + text(kMaxTextBytes) + " }";
             case ParameterType::values:
@@ -263,11 +289,11 @@ class ValueWriter {
         return choices_.chance(60) ? texts[0] : pick(choices_, texts);
     }
     std::string texts() {
-        const std::string one = text(kMaxTextBytes);
         std::string all = "{ ";
         for (std::size_t n = choices_.below(4); n > 0; --n) {
-            all += one + ", ";
+            all += "\"word" + std::to_string(n) + "\", ";
         }
+        const std::string one = text(kMaxTextBytes);
         return choices_.chance(2) ? "many(" + one + ", 200)" : all + one + " }";
     }
     std::string boxes() {
@@ -280,7 +306,7 @@ class ValueWriter {
     }
     /// Of the hand's force, a question's judge, an answer, a listener.
     std::string function() {
-        const std::string k = number(-2000.0, 2000.0);
+        const std::string k = choices_.chance(80) ? number(-500.0, -50.0) : number(-2000.0, 2000.0);
         if (choices_.chance(20)) {
             const double huge = std::numeric_limits<double>::max();
             return "function() return " + number(-huge, huge) + ", " + number(-huge, huge) +
