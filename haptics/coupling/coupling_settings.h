@@ -15,7 +15,7 @@ inline constexpr double kSteepestStart = 3.0;
 /// linear up to `linear_range_m`, constant from `saturation_range_m` on, and a cubic joins the two.
 struct CouplingSettings {
     double stiffness_N_per_m = 500.0;  ///< 0 to 1e5
-    /// 0 to 1e3, of the hand against the proxy. The default is critical for the handle alone,
+    /// 0 to 1e3, of the hand against what is touched, along its normal (contact_damper.h). The default is critical for the handle alone,
     /// 2 sqrt(m k); a hand brings damping of its own. Critical for a whole arm (45 Ns/m) would shake
     /// the bare handle, for the velocity is known some milliseconds late.
     double damping_Ns_per_m = 9.5;

@@ -71,6 +71,7 @@ class VelocityEstimator {
     const Vector3& step(const Vector3& position, double time_s) noexcept;
     /// The newest estimate.
     [[nodiscard]] const Vector3& velocity() const noexcept { return velocity_; }
+    [[nodiscard]] const VelocitySettings& settings() const noexcept { return settings_; }
 
   private:
     void fit_windows() noexcept;

@@ -124,11 +124,4 @@ Vector3 compute_coupling_spring(const CouplingSettings& settings, const Vector3&
     return stretch_W * (compute_spring_force_N(settings, stretch_m) / stretch_m);
 }
 
-Vector3 compute_contact_force(const CouplingSettings& settings, const Vector3& spring_W,
-                              const Vector3& relative_velocity_W,
-                              const Vector3& normal_W) noexcept {
-    const Vector3 force_W = spring_W - settings.damping_Ns_per_m * relative_velocity_W;
-    return force_W - std::min(force_W.dot(normal_W), 0.0) * normal_W;
-}
-
 }  // namespace fulcrum

@@ -1,12 +1,10 @@
-// The link between hand and proxy: a spring that may saturate, and a damper.
+// The spring between hand and proxy, which may saturate. Its damper stands in contact_damper.h.
 //
-//   F = f(|d|) d/|d| - b (v_hand - v_proxy),   d = x_proxy - x_hand: the force on the hand;
-//   F - min(F . n, 0) n                        at a surface of normal n.
+//   F = f(|d|) d/|d|,   d = x_proxy - x_hand: the force on the hand;
 //   f(s) = k s                                for s <= s1 (linear)
 //          cubic Hermite from (s1, k s1), slope k, to (s2, F_max), slope 0
 //          F_max                              for s >= s2 (constant);   f is C1 and never falls.
-// The damper sees the velocity against the proxy, so in free space, where the proxy is the hand,
-// there is no drag. The cubic rises everywhere if and only if its first slope is at most three
+// The cubic rises everywhere if and only if its first slope is at most three
 // times its secant (F. N. Fritsch, R. E. Carlson 1980, Monotone piecewise cubic interpolation, SIAM
 // J. Numer. Anal. 17(2)).
 //
@@ -40,13 +38,5 @@ namespace fulcrum {
 [[nodiscard]] Vector3 compute_coupling_spring(const CouplingSettings& settings,
                                               const Vector3& proxy_W,
                                               const Vector3& hand_W) noexcept;
-
-/// The force on the hand while a surface is touched, from its spring's, world frame, newtons: whatever the damper says,
-/// a wall pushes and never holds fast. `relative_velocity_W` is the hand's velocity less the proxy's; `normal_W` is the
-/// unit normal away from the surface; the force has no part against it.
-[[nodiscard]] Vector3 compute_contact_force(const CouplingSettings& settings,
-                                            const Vector3& spring_W,
-                                            const Vector3& relative_velocity_W,
-                                            const Vector3& normal_W) noexcept;
 
 }  // namespace fulcrum

@@ -65,22 +65,11 @@ std::span<const Pose> AxleStage::turn(std::span<const Pose> poses_W) noexcept {
     return {poses_W_.data(), poses_W.size()};
 }
 
-std::span<const Pose> AxleStage::turn(std::span<const Pose> poses_W, Proxy& proxy) noexcept {
-    const std::span<const Pose> turned_W = turn(poses_W);
-    for (const Axle& axle : axles_) {
-        if ((put_ >> axle.solid & 1U) != 0) {
-            proxy.put_solid(axle.solid, turned_W[axle.solid]);
-        }
-    }
-    return turned_W;
-}
-
 void AxleStage::push(const ProxyContact& contact, const HandPush& hand, double dt_s) noexcept {
-    const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
     for (std::size_t i = 0; i < axles_.size(); ++i) {
         const auto solid = static_cast<std::int32_t>(axles_[i].solid);
-        move_on(i, compute_solid_push(contact, solid, held_W, cursor_m_), {.force_N = hand.most_N},
-                dt_s);
+        move_on(i, compute_solid_push(contact, solid, hand.force_W, cursor_m_),
+                {.force_N = hand.most_N}, dt_s);
     }
     tell();
 }

@@ -32,8 +32,6 @@ class AxleStage {
     /// First in a round: takes the lesson's orders, and gives the poses of all solids with those on axles turned. Valid until
     /// the next call.
     [[nodiscard]] std::span<const Pose> turn(std::span<const Pose> poses_W) noexcept;
-    /// The same, and tells the proxy what an order has put elsewhere.
-    [[nodiscard]] std::span<const Pose> turn(std::span<const Pose> poses_W, Proxy& proxy) noexcept;
     /// Bit i: an order has put solid i elsewhere at once, in the last `turn`.
     [[nodiscard]] std::uint32_t put() const noexcept { return put_; }
     /// Then, when the forces are known. Moves all axles on and tells of them.

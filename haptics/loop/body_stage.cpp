@@ -241,8 +241,7 @@ void BodyStage::tell_grip(double most_N) noexcept {
 // Touch and grip together give no more than the hand may feel: each its part of it.
 void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double now_s) noexcept {
     begin_pushes(now_s);
-    const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
-    const double touch_N = compute_length(held_W);
+    const double touch_N = compute_length(hand.force_W);
     const double grip_N = grip_.holds ? compute_length(grip_.hold.push_W.force) : 0.0;
     const double sum_N = touch_N + grip_N;
     const double share = sum_N > hand.most_N ? hand.most_N / sum_N : 1.0;
@@ -250,7 +249,7 @@ void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double n
     for (const Body& body : bodies_) {
         const auto solid = static_cast<std::int32_t>(body.plan.solid);
         add_push(body, {.force_N = share * touch_N + spare_N},
-                 compute_solid_push(contact, solid, held_W, cursor_m_));
+                 compute_solid_push(contact, solid, hand.force_W, cursor_m_));
     }
     if (grip_.solid >= 0 && grip_.holds) {
         tell_grip(share * grip_N + spare_N);

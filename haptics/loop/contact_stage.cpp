@@ -25,61 +25,83 @@ const CouplingSettings& ContactStage::coupling_of(std::int32_t solid) const noex
     return solid >= 0 && i < couplings_.size() ? couplings_[i] : common_;
 }
 
-// A proxy that names no planes has one, its normal.
-void ContactStage::take_touches(const ProxyContact& contact, double stretch_m) noexcept {
+// A proxy that names no planes has one, its normal. Planes are in metres of stretch yet.
+void ContactStage::take_touches(const ProxyContact& contact, std::span<const Vector3> velocities_W,
+                                double stretch_m) noexcept {
     n_touches_ = 0;
     for (const SolidTouch& touch : contact.active()) {
+        planes_[n_touches_] = {.normal_W = touch.normal_W,
+                               .push_N = touch.push_m,
+                               .drag_N_W = touch.drag_W,
+                               .most_drag_N = touch.hold_m};
         touches_[n_touches_++] = {touch.solid, touch.normal_W, touch.push_m, 0.0};
     }
     if (n_touches_ == 0) {
+        planes_[0] = {.normal_W = contact.normal_W, .push_N = stretch_m};
         touches_[n_touches_++] = {contact.solid, contact.normal_W, stretch_m, 0.0};
+    }
+    for (std::size_t i = 0; i < n_touches_; ++i) {
+        planes_[i].velocity_W = velocities_W[std::min(i, velocities_W.size() - 1)];
+        planes_[i].damping_Ns_per_m = coupling_of(touches_[i].solid).damping_Ns_per_m;
     }
 }
 
 ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand_W,
-                                const Vector3& relative_velocity_W,
+                                std::span<const Vector3> velocities_W,
                                 std::span<const Pose> solid_poses_W) noexcept {
     const double stretch_m = compute_length(Vector3(contact.position_W - hand_W));
-    take_touches(contact, stretch_m);
+    take_touches(contact, velocities_W, stretch_m);
     double pushes_m = 0.0;
     for (const TouchForce& touch : touches()) {
         pushes_m += touch.depth_m;
     }
-    // Each touch's coupling by its share of the push.
+    // Each touch's spring by its share of the push.
     ContactForce felt;
-    CouplingSettings damper{.stiffness_N_per_m = 0.0, .damping_Ns_per_m = 0.0};
     for (const TouchForce& touch : touches()) {
         const CouplingSettings& coupling = coupling_of(touch.solid);
         const double share =
             pushes_m > 0.0 ? touch.depth_m / pushes_m : 1.0 / static_cast<double>(n_touches_);
         felt.spring.force += share * compute_coupling_spring(coupling, contact.position_W, hand_W);
         felt.spring.energy_J += share * compute_spring_energy_J(coupling, stretch_m);
-        damper.damping_Ns_per_m += share * coupling.damping_Ns_per_m;
     }
     felt.spring.normal = contact.normal_W;
     const double force_N = compute_length(felt.spring.force);
-    for (std::size_t i = 0; i < n_touches_; ++i) {
-        touches_[i].stiffness_N_per_m = stretch_m > 0.0 ? force_N / stretch_m : 0.0;
-    }
-    if (!shading_.empty()) {
-        const Vector3 turned_W = shade(contact, solid_poses_W);
-        if (turned_W.squaredNorm() > 0.0) {
-            felt.spring.force = force_N * compute_direction(turned_W);
+    double held_m = stretch_m;
+    if (!shading_.empty() && shade(contact, solid_poses_W)) {
+        Vector3 held_W = Vector3::Zero();
+        for (const DampedPlane& plane : std::span(planes_.data(), n_touches_)) {
+            held_W += plane.push_N * plane.normal_W + plane.drag_N_W;
+        }
+        if (held_W.squaredNorm() > 0.0) {
+            held_m = compute_length(held_W);
+            felt.spring.force = held_W * (force_N / held_m);
             felt.spring.normal = touches_[0].normal_W;
         }
     }
-    felt.force_W =
-        compute_contact_force(damper, felt.spring.force, relative_velocity_W, felt.spring.normal);
+    for (std::size_t i = 0; i < n_touches_; ++i) {
+        touches_[i].stiffness_N_per_m = stretch_m > 0.0 ? force_N / stretch_m : 0.0;
+    }
+    felt.force_W = felt.spring.force + damp(held_m > 0.0 ? force_N / held_m : 0.0);
+    felt.force_W -= std::min(felt.force_W.dot(felt.spring.normal), 0.0) * felt.spring.normal;
     felt.spring.push = felt.force_W.dot(felt.spring.normal);
     return felt;
 }
 
-// Turns the touches' normals; returns where the whole force points then, zero where nothing is shaded.
-Vector3 ContactStage::shade(const ProxyContact& contact,
-                            std::span<const Pose> solid_poses_W) noexcept {
+// What the touches' dampers add, with a spring of so many newtons a metre.
+Vector3 ContactStage::damp(double N_per_m) noexcept {
+    const std::span planes(planes_.data(), n_touches_);
+    for (DampedPlane& plane : planes) {
+        plane.push_N *= N_per_m;
+        plane.drag_N_W *= N_per_m;
+        plane.most_drag_N *= N_per_m;
+    }
+    return compute_contact_damping(planes);
+}
+
+// Turns the touches' normals, and what friction holds with them; false where none of them is shaded.
+bool ContactStage::shade(const ProxyContact& contact,
+                         std::span<const Pose> solid_poses_W) noexcept {
     bool any = false;
-    Vector3 pushes_W = Vector3::Zero();
-    Vector3 drags_W = Vector3::Zero();
     for (std::size_t i = 0; i < contact.active().size(); ++i) {
         const SolidTouch& touch = contact.touches[i];
         const auto solid = static_cast<std::size_t>(touch.solid);
@@ -94,10 +116,10 @@ Vector3 ContactStage::shade(const ProxyContact& contact,
                                           turn_BW * touch.normal_W);
             any = true;
         }
-        pushes_W += touch.push_m * touches_[i].normal_W;
-        drags_W += turn_along(touch.normal_W, touches_[i].normal_W, touch.drag_W);
+        planes_[i].drag_N_W = turn_along(touch.normal_W, touches_[i].normal_W, touch.drag_W);
+        planes_[i].normal_W = touches_[i].normal_W;
     }
-    return any ? Vector3(pushes_W + drags_W) : Vector3(Vector3::Zero());
+    return any;
 }
 
 }  // namespace fulcrum

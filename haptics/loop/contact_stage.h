@@ -1,14 +1,15 @@
 // The coupling between proxy and hand, for each touched solid its own, and the direction that shading gives it.
 //
 //   F_spring = sum over the touches of w_i f_i(|s|) s/|s|,   w_i = push_i / sum push     s: from hand to proxy
-//   b = sum of w_i b_i
-// So the force is continuous when one solid takes over from another. Where a touched mesh is shaded (shading.h) the force keeps
+//   F = F_spring + what each touch's damper adds (contact_damper.h)
+// So the spring's force is continuous when one solid takes over from another. Where a touched mesh is shaded (shading.h) the force keeps
 // its size and takes the direction of sum(push_i n_i + drag_i) with the shaded normals n_i, each drag turned as its normal is, so that
 // friction stays in its cone.
 //
 // Thread: haptic loop. Cost: that of the coupling; a shaded touch 20 ns more. No allocation in `step`.
 #pragma once
 
+#include "haptics/coupling/contact_damper.h"
 #include "haptics/coupling/passivity.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
@@ -43,10 +44,10 @@ class ContactStage {
     /// Takes a plan that `validate` accepted, and makes the normals of the meshes that are to be shaded.
     explicit ContactStage(const HapticPlan& plan);
 
-    /// The force on the hand. `contact` touches something; `relative_velocity_W` is the hand's against the proxy. A solid that
-    /// is not in the plan has the plan's own coupling.
+    /// The force on the hand. `contact` touches something; `velocities_W`, one a touch and one at least, are the hand's against the
+    /// touched solids. A solid that is not in the plan has the plan's own coupling.
     [[nodiscard]] ContactForce step(const ProxyContact& contact, const Vector3& hand_W,
-                                    const Vector3& relative_velocity_W,
+                                    std::span<const Vector3> velocities_W,
                                     std::span<const Pose> solid_poses_W) noexcept;
     /// Nothing is touched in this round.
     void leave() noexcept { n_touches_ = 0; }
@@ -57,15 +58,18 @@ class ContactStage {
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
-    void take_touches(const ProxyContact& contact, double stretch_m) noexcept;
-    [[nodiscard]] Vector3 shade(const ProxyContact& contact,
-                                std::span<const Pose> solid_poses_W) noexcept;
+    void take_touches(const ProxyContact& contact, std::span<const Vector3> velocities_W,
+                      double stretch_m) noexcept;
+    [[nodiscard]] Vector3 damp(double N_per_m) noexcept;
+    [[nodiscard]] bool shade(const ProxyContact& contact,
+                             std::span<const Pose> solid_poses_W) noexcept;
     [[nodiscard]] const CouplingSettings& coupling_of(std::int32_t solid) const noexcept;
 
     CouplingSettings common_;
     std::vector<CouplingSettings> couplings_;                    // one a solid
     std::vector<std::unique_ptr<const ShadedNormals>> shading_;  // empty where no solid is shaded
     std::array<TouchForce, kMaxTouches> touches_{};
+    std::array<DampedPlane, kMaxTouches> planes_{};  // of the touches
     std::size_t n_touches_ = 0;
 };
 

@@ -220,10 +220,8 @@ bool HapticLoop::find_solids() noexcept {
     }
     // With those on axles turned; what has been put elsewhere at once, proxy and tool are told.
     const std::span<const Pose> poses_W = solids_->poses_W();
-    solid_poses_W_ = !axles_  ? poses_W
-                     : touch_ ? axles_->turn(poses_W, *touch_->proxy)
-                              : axles_->turn(poses_W);
-    std::uint32_t put = solids_->put();
+    solid_poses_W_ = axles_ ? axles_->turn(poses_W) : poses_W;
+    std::uint32_t put = solids_->put() | (axles_ ? axles_->put() : 0);
     if (bodies_) {
         solid_poses_W_ = bodies_->place(solid_poses_W_, now_s_);
         put |= bodies_->put();
@@ -232,12 +230,14 @@ bool HapticLoop::find_solids() noexcept {
             state_.faults |= Fault::command_stale;
         }
     }
+    if (touch_) {
+        touch_->velocity.put(put);
+    }
     for (std::size_t i = 0; touch_ && i < poses_W.size(); ++i) {
         if ((put >> i & 1U) != 0) {
             touch_->proxy->put_solid(i, solid_poses_W_[i]);
         }
     }
-    put |= axles_ ? axles_->put() : 0;
     if (tool_ && put != 0) {
         tool_->let_go(put);
     }
@@ -258,7 +258,6 @@ void HapticLoop::move_proxy() noexcept {
     }
     touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, solid_poses_W_);
     state_.proxy_position_W = touch_->contact.position_W;
-    touch_->proxy_velocity.step(state_.proxy_position_W, reading_.stamp_s);
     state_.touched_body = solids_->body_of(touch_->contact.solid);
 }
 
@@ -372,7 +371,7 @@ void HapticLoop::forget_motion() noexcept {
     state_.tool_twist_W = Twist{};
     if (touch_) {
         touch_->proxy->reset(state_.tool_pose_W.position);
-        touch_->proxy_velocity.reset();
+        touch_->velocity.leave();
         if (touch_->effects) {
             touch_->effects->forget();
         }

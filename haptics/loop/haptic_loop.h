@@ -30,6 +30,7 @@
 #include "haptics/loop/stage_listener.h"
 #include "haptics/loop/surface_effects.h"
 #include "haptics/loop/tool_stage.h"
+#include "haptics/loop/touch_velocity.h"
 #include "haptics/point/proxy.h"
 
 #include <array>
@@ -106,7 +107,7 @@ class HapticLoop final : public PeriodicTask {
     struct TouchStage {
         std::unique_ptr<Proxy> proxy;
         ContactStage coupling;
-        VelocityEstimator proxy_velocity;  // like the hand's, so that both lag alike
+        TouchVelocity velocity{};
         ProxyContact contact{};
         std::unique_ptr<SurfaceEffects> effects{};
     };

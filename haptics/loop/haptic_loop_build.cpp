@@ -173,7 +173,7 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
         touch_ = std::make_unique<TouchStage>(
             TouchStage{std::move(proxy),
                        ContactStage(plan),
-                       VelocityEstimator(choose_velocity_settings(plan, device.traits())),
+                       {},
                        {},
                        make_surface_effects(plan, device.traits(), channels.touches)});
     }

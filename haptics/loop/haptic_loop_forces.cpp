@@ -8,11 +8,14 @@ namespace fulcrum {
 void HapticLoop::add_contact() noexcept {
     if (touch_->contact.solid < 0) {
         touch_->coupling.leave();
+        touch_->velocity.leave();
         return;
     }
-    const ContactForce felt = touch_->coupling.step(
-        touch_->contact, state_.tool_pose_W.position,
-        state_.tool_twist_W.linear - touch_->proxy_velocity.velocity(), solid_poses_W_);
+    const Vector3& hand_W = state_.tool_pose_W.position;
+    const auto velocities_W = touch_->velocity.step(touch_->contact, solid_poses_W_,
+                                                    {velocity_, hand_W, reading_.stamp_s});
+    const ContactForce felt =
+        touch_->coupling.step(touch_->contact, hand_W, velocities_W, solid_poses_W_);
     demand_.contact = felt.spring;
     demand_.force += {felt.spring.force, felt.spring.force};
     demand_.wrench_W.force += felt.force_W;
@@ -69,8 +72,7 @@ void HapticLoop::turn_axles() noexcept {
             {gate_.find_most_N(dt_s_), gate_.find_most_Nm(dt_s_) * plan_.workspace.scale}, dt_s_);
         return;
     }
-    axles_->push(touch_->contact,
-                 {demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)}, dt_s_);
+    axles_->push(touch_->contact, {demand_.wrench_W.force, gate_.find_most_N(dt_s_)}, dt_s_);
 }
 
 // Bodies are pushed by what the hand feels of them: the contact, the grip, the tool.
@@ -81,7 +83,7 @@ void HapticLoop::push_bodies() noexcept {
             {gate_.find_most_N(dt_s_), gate_.find_most_Nm(dt_s_) * plan_.workspace.scale}, now_s_);
         return;
     }
-    const HandPush touch{demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)};
+    const HandPush touch{demand_.wrench_W.force, gate_.find_most_N(dt_s_)};
     // A gate that lets nothing through holds nothing: what a grip asks for would keep it closed.
     const bool may_grip = gate_.phase() == GatePhase::open || gate_.phase() == GatePhase::rising;
     const GripForce grip = bodies_->grip(

@@ -64,14 +64,4 @@ SolidPush compute_solid_push(const ProxyContact& contact, std::int32_t solid,
     return push;
 }
 
-Vector3 compute_held_force(const ProxyContact& contact, const Vector3& force_W,
-                           const Vector3& spring_W) noexcept {
-    for (const SolidTouch& touch : contact.active()) {
-        if (touch.drag_W.squaredNorm() > 0.0) {
-            return force_W;
-        }
-    }
-    return spring_W + contact.normal_W.dot(force_W - spring_W) * contact.normal_W;
-}
-
 }  // namespace fulcrum

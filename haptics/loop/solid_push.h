@@ -1,9 +1,8 @@
 // How a hand presses a solid, with a point or with a tool.
 //
 //   F = minus the share of the coupling's force that this solid holds:  sum(push n + drag) over its touches against the same of all
-// It presses where the cursor touches that solid, along that solid's own planes. Of the coupling's damper only the part along the
-// normal counts on what has no friction: nothing drags along a surface that nothing holds on to. No solid is given more than the gate may
-// let through to the hand in this round: what the hand does not feel moves nothing, two solids that wedge it in included.
+// It presses where the cursor touches that solid, along that solid's own planes. No solid is given more than the gate may let through to
+// the hand in this round: what the hand does not feel moves nothing, two solids that wedge it in included.
 //
 // Thread: haptic loop. Cost: 20 ns a solid; no allocation.
 #pragma once
@@ -25,9 +24,8 @@ struct SolidPush {
 
 /// What the coupling does in this round.
 struct HandPush {
-    Vector3 force_W{Vector3::Zero()};   ///< on the hand
-    Vector3 spring_W{Vector3::Zero()};  ///< its spring's part of it
-    double most_N = 0.0;                ///< that the hand may feel (SafetyGate::find_most_N)
+    Vector3 force_W{Vector3::Zero()};  ///< on the hand
+    double most_N = 0.0;               ///< that the hand may feel (SafetyGate::find_most_N)
 };
 
 /// What a hand may feel next (SafetyGate::find_most_N and find_most_Nm), seen in the world.
@@ -36,9 +34,6 @@ struct MostFelt {
     double torque_Nm = 0.0;
 };
 
-/// The coupling's force without what its damper drags along a surface without friction.
-[[nodiscard]] Vector3 compute_held_force(const ProxyContact& contact, const Vector3& force_W,
-                                         const Vector3& spring_W) noexcept;
 /// The share of the hand's force that one solid takes, all of it where it alone is touched. `cursor_m`: from the proxy to where it touches.
 [[nodiscard]] SolidPush compute_solid_push(const ProxyContact& contact, std::int32_t solid,
                                            const Vector3& force_W, double cursor_m) noexcept;

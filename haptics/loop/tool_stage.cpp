@@ -17,10 +17,6 @@ Twist compute_twist(const Pose& from_W, const Pose& to_W, double dt_s) noexcept 
             compute_log(to_W.orientation * from_W.orientation.conjugate()) / dt_s};
 }
 
-bool is_same(const Pose& a, const Pose& b) noexcept {
-    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-}
-
 // Against a wrench about a place: its line, nearest to there.
 SolidPush compute_push(const Wrench& against_W, const Vector3& about_W) noexcept {
     SolidPush push;

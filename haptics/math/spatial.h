@@ -51,5 +51,9 @@ struct Wrench {
 [[nodiscard]] inline bool is_finite(const Wrench& wrench) {
     return wrench.force.allFinite() && wrench.torque.allFinite();
 }
+/// To the bit, but for a zero's sign; never where anything is no number.
+[[nodiscard]] inline bool is_same(const Pose& a, const Pose& b) noexcept {
+    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
 
 }  // namespace fulcrum

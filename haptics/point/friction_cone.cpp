@@ -98,6 +98,7 @@ void FrictionCone::share_drag(std::span<const SolidTouch> before,
             }
         }
         best->drag_W += planes[i].drag;
+        best->hold_m += find_hold(planes[i]);
     }
 }
 

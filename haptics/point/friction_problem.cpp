@@ -11,11 +11,16 @@ namespace {
 // A round that changes less than this, of the hand's distance, changes nothing that can be felt.
 constexpr double kSettled = 1.0e-12;
 
+// The friction circle's radius.
+double find_circle(const FrictionPlane& plane) noexcept {
+    return plane.push_m *
+           (plane.was_stuck ? plane.law.static_coefficient : plane.law.dynamic_coefficient);
+}
+
 // The drag of one plane that would be left with the slip `free` if it had none, and is pushed by `push_m`.
 void solve_plane(const Vector3& free, FrictionPlane& plane) noexcept {
     const double free_m = free.norm();
-    const double circle_m = plane.push_m * (plane.was_stuck ? plane.law.static_coefficient
-                                                            : plane.law.dynamic_coefficient);
+    const double circle_m = find_circle(plane);
     plane.stuck = !(plane.push_m > 0.0) || free_m <= circle_m;
     if (!(plane.push_m > 0.0)) {
         plane.drag.setZero();
@@ -63,6 +68,10 @@ FrictionLaw make_friction_law(const FrictionSettings& settings, double stiffness
     const double step_Ns_per_m = stiffness_N_per_m * period_s;
     return {settings.static_coefficient, settings.dynamic_coefficient,
             step_Ns_per_m > 0.0 ? settings.viscous_Ns_per_m / step_Ns_per_m : 0.0};
+}
+
+double find_hold(const FrictionPlane& plane) noexcept {
+    return plane.stuck ? find_circle(plane) : plane.drag.norm();
 }
 
 double solve_friction(const Vector3& hand, std::span<FrictionPlane> planes,

@@ -4,14 +4,6 @@
 
 namespace fulcrum {
 
-namespace {
-
-bool is_same(const Pose& a, const Pose& b) noexcept {
-    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-}
-
-}  // namespace
-
 bool ProxyFrame::take_pose(const Pose& pose_W) noexcept {
     if (is_same(pose_W, pose_W_)) {
         return false;

@@ -39,9 +39,6 @@ void FieldSampler::begin_step(StepTime* time, int n_near) noexcept {
 }
 
 bool FieldSampler::is_known(const Pose& X_WO, const Pose& X_WT) const noexcept {
-    const auto is_same = [](const Pose& a, const Pose& b) {
-        return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-    };
     // Where something was left out, the next step's time may tell more.
     const bool is_whole = known_.weight == 1 && known_.n_left == 0;
     return is_known_ && (is_whole || is_known_in_step_) && is_same(X_WO, known_WO_) &&

@@ -36,10 +36,6 @@ Pose clean(const Pose& pose) noexcept {
     return {pose.position, pose.orientation.normalized()};
 }
 
-bool is_same(const Pose& a, const Pose& b) noexcept {
-    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-}
-
 Pose seen_from(const Pose& object_W, const Pose& tool_W) noexcept {
     return object_W.inverse() * tool_W;
 }

@@ -28,9 +28,7 @@ RecordEventKind record_kind(WorldCommand::Kind kind) {
 }
 
 bool is_same(const BodyState& a, const BodyState& b) {
-    return a.where == b.where && a.pose_W.position == b.pose_W.position &&
-           a.pose_W.orientation.coeffs() == b.pose_W.orientation.coeffs() &&
-           a.velocity_W == b.velocity_W;
+    return a.where == b.where && is_same(a.pose_W, b.pose_W) && a.velocity_W == b.velocity_W;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tests/support/wall_trial.h"
 
+#include "haptics/coupling/contact_damper.h"
 #include "haptics/coupling/virtual_coupling.h"
 #include "tests/support/linear_wall.h"
 
@@ -39,8 +40,14 @@ Vector3 compute_wall_force(const WallTrial& trial, const CouplingSettings& coupl
     if (trial.both_ways) {
         return spring - coupling.damping_Ns_per_m * velocity;
     }
-    return hand.x() < 0.0 ? compute_contact_force(coupling, spring, velocity, Vector3::UnitX())
-                          : Vector3(Vector3::Zero());
+    if (!(hand.x() < 0.0)) {
+        return Vector3::Zero();
+    }
+    const DampedPlane plane{.normal_W = Vector3::UnitX(),
+                            .push_N = spring.x(),
+                            .velocity_W = velocity,
+                            .damping_Ns_per_m = coupling.damping_Ns_per_m};
+    return spring + compute_contact_damping({&plane, 1});
 }
 
 bool is_linear_wall(const WallTrial& trial) {

@@ -1,6 +1,6 @@
 # Peers: other libraries measured beside ours, from the packages that packages-peers.txt names. Each is a file here that
 # includes that library alone; what is not installed is not built, and the page says so.
-option(FULCRUM_PEERS "measure ODE, Bullet, MuJoCo, OpenVDB, NanoVDB and FCL beside ours where they are installed" OFF)
+option(FULCRUM_PEERS "measure ODE, Bullet, MuJoCo, OpenVDB, NanoVDB, FCL and CHAI3D beside ours where they are installed" OFF)
 set(peer_sources "")
 set(peer_libraries "")
 set(missing_peers "")
@@ -48,6 +48,8 @@ if(FULCRUM_PEERS)
   fulcrum_peer_library(openvdb openvdb/openvdb.h openvdb tbb Imath)
   # Headers alone; its fields are made from OpenVDB's.
   fulcrum_peer_library(nanovdb nanovdb/NanoVDB.h openvdb tbb Imath)
+  # No package of Debian's: found where somebody has installed it.
+  fulcrum_peer_library(chai3d chai3d.h chai3d)
 endif()
 fulcrum_peer(ODE PkgConfig::ode ode.cpp)
 fulcrum_peer(Bullet PkgConfig::bullet bullet.cpp)
@@ -55,6 +57,7 @@ fulcrum_peer(MuJoCo peer_mujoco mujoco.cpp)
 fulcrum_peer(FCL fcl fcl.cpp)
 fulcrum_peer(OpenVDB peer_openvdb openvdb.cpp)
 fulcrum_peer(NanoVDB peer_nanovdb nanovdb_points.cpp)
+fulcrum_peer(CHAI3D peer_chai3d chai3d.cpp)
 if(peer_sources)
   list(APPEND peer_sources ${CMAKE_CURRENT_LIST_DIR}/rigid_peer.cpp ${CMAKE_CURRENT_LIST_DIR}/felt_ball.cpp)
 endif()

@@ -20,7 +20,7 @@ fail() {
 # An effect, and what its functions are called: the beginnings of their names in namespace fulcrum.
 effects='
 god-object  (GodObject|MovingSolid|BoundingTree|NearbyTriangles|find_nearest_hit|compute_constrained_point)
-coupling    (ContactStage::step|compute_contact_force|compute_coupling|compute_spring_force_N)
+coupling    (ContactStage::step|compute_contact_damping|TouchVelocity::|compute_coupling|compute_spring_force_N)
 surface     (SurfaceEffects::|TouchMotion::)
 texture     (TextureStage::|Texture::|TextureMap::|feel_on_body)
 transient   (TransientStage::|Transient::)

@@ -67,13 +67,6 @@ double slope(const CouplingSettings& settings, double stretch_m) {
            (2.0 * step_m);
 }
 
-// What a hand feels whose proxy a surface of that normal holds.
-Vector3 feel(const CouplingSettings& settings, const Vector3& proxy, const Vector3& hand,
-             const Vector3& relative_velocity, const Vector3& normal = Vector3::UnitY()) {
-    return compute_contact_force(settings, compute_coupling_spring(settings, proxy, hand),
-                                 relative_velocity, normal);
-}
-
 }  // namespace
 
 // What settings of this folder take and refuse.
@@ -281,25 +274,6 @@ TEST_CASE("tool coupling: the energy of its shift is the work done on it, beyond
     CHECK(compute_shift_energy_J(clamped, 0.02) == Approx(250.0 * 2.5e-5 + 0.015 * 2.5));
 }
 
-TEST_CASE(
-    "virtual coupling: F = k (proxy - hand) - b v, towards the proxy and against the motion") {
-    const Vector3 proxy(0.0, 0.01, 0.0);
-    const Vector3 hand(0.003, 0.006, 0.0);
-    const Vector3 velocity(0.1, 0.0, -0.2);
-    const Vector3 force = feel(kLinear, proxy, hand, velocity);
-    CHECK(force.x() == Approx(800.0 * -0.003 - 2.0 * 0.1).epsilon(1e-12));
-    CHECK(force.y() == Approx(800.0 * 0.004).epsilon(1e-12));
-    CHECK(force.z() == Approx(2.0 * 0.2).epsilon(1e-12));
-}
-
-TEST_CASE("virtual coupling: no drag in free space, where the proxy moves with the hand") {
-    const Vector3 hand(0.3, -0.2, 0.1);
-    const Vector3 hand_velocity(3.0, 1.0, -2.0);
-    const Vector3 proxy_velocity = hand_velocity;
-    const Vector3 force = feel(kLinear, hand, hand, hand_velocity - proxy_velocity);
-    CHECK(force.norm() == 0.0);
-}
-
 TEST_CASE("virtual coupling: linear, then a cubic, then constant, with a continuous slope") {
     CHECK(compute_spring_force_N(kSaturating, 0.0) == 0.0);
     CHECK(compute_spring_force_N(kSaturating, 0.001) == Approx(0.8).epsilon(1e-12));
@@ -359,22 +333,6 @@ TEST_CASE(
     // m x'' + b x' + k x = 0 has a double root exactly when b^2 = 4 m k.
     CHECK(settings.damping_Ns_per_m * settings.damping_Ns_per_m ==
           Approx(4.0 * kHandleMass_kg * settings.stiffness_N_per_m).epsilon(0.01));
-}
-
-TEST_CASE("virtual coupling: a surface pushes and never holds fast, and the rest is the coupling") {
-    const Vector3 up = Vector3::UnitY();
-    const Vector3 proxy(0.0, 0.001, 0.0);
-    const auto moving = [&](const Vector3& velocity) {
-        return feel(kLinear, proxy, Vector3::Zero(), velocity, up);
-    };
-    // 0.8 N of spring; leaving at 0.3 m/s takes 0.6 N of it, at 0.5 m/s it would pull back by 0.2 N.
-    const Vector3 slow = moving({0.1, 0.3, 0.0});
-    CHECK(slow.x() == Approx(-0.2));
-    CHECK(slow.y() == Approx(0.2));
-    const Vector3 fast = moving({0.1, 0.5, 0.0});
-    CHECK(fast.x() == Approx(-0.2));
-    CHECK(fast.y() == 0.0);
-    CHECK(moving({0.0, -0.5, 0.0}).y() == Approx(1.8));
 }
 
 TEST_CASE("virtual coupling: the energy is the integral of the force, at every stretch") {

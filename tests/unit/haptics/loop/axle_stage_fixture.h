@@ -2,7 +2,6 @@
 #pragma once
 
 #include "haptics/loop/axle_stage.h"
-#include "haptics/point/make_proxy.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <utility>
@@ -54,34 +53,17 @@ inline ProxyContact make_contact(const Vector3& at_W, const Vector3& normal_W,
     return contact;
 }
 
-// Springs alone, of which the hand may feel so much.
+// A push of which the hand may feel so much.
 inline HandPush make_push(const Vector3& force_W, double most_N = kLimit_N) {
-    return {force_W, force_W, most_N};
+    return {force_W, most_N};
 }
-
-// Nothing asks it to move.
-struct StillProxy final : Proxy {
-    void reset(const Vector3&) noexcept override {}
-    void put_solid(std::size_t solid, const Pose& pose_W) noexcept override {
-        put = solid;
-        put_W = pose_W;
-        ++n_put;
-    }
-    const ProxyContact& step(const Vector3&, std::span<const Pose>) noexcept override {
-        return contact;
-    }
-    ProxyContact contact{};
-    std::size_t put = 99;
-    Pose put_W{};
-    int n_put = 0;
-};
 
 // The stage by itself; every round ends with what it tells of its one axle.
 struct StagedAxle {
     explicit StagedAxle(const HapticPlan& plan)
         : stage(plan, channels.get()), rest(plan.solids.size()) {}
     AxleReport push(const ProxyContact& contact, const HandPush& hand) {
-        turned = stage.turn(rest, proxy);
+        turned = stage.turn(rest);
         stage.push(contact, hand, kDt_s);
         return told();
     }
@@ -103,7 +85,6 @@ struct StagedAxle {
 
     std::unique_ptr<AxleChannels> channels = std::make_unique<AxleChannels>();
     AxleStage stage;
-    StillProxy proxy;
     std::vector<Pose> rest;  // where the solids are before they are turned
     std::span<const Pose> turned;
     AxleOrder order;

@@ -1,0 +1,137 @@
+#include "haptics/coupling/contact_damper.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kRounding = 1.0e-12;
+
+// A plane pushed with 2 N by a spring whose damper has 10 Ns/m.
+DampedPlane make_plane(const Vector3& normal_W, const Vector3& velocity_W) {
+    return {
+        .normal_W = normal_W, .push_N = 2.0, .velocity_W = velocity_W, .damping_Ns_per_m = 10.0};
+}
+
+Vector3 added(const std::vector<DampedPlane>& planes) {
+    return compute_contact_damping(planes);
+}
+
+}  // namespace
+
+TEST_CASE("contact damper: one plane is a dashpot along its normal, and never pulls") {
+    const Vector3 up = Vector3::UnitY();
+    // What goes along the surface is not asked for.
+    CHECK((added({make_plane(up, {3.0, -0.05, -1.0})}) - 0.5 * up).norm() < kRounding);
+    CHECK((added({make_plane(up, {3.0, 0.15, -1.0})}) + 1.5 * up).norm() < kRounding);
+    // From 0.2 m/s on the damper would have to hold the hand fast: what is left is nothing.
+    for (const double leaves_m_per_s : {0.2, 0.3, 30.0}) {
+        CHECK((added({make_plane(up, {0.0, leaves_m_per_s, 0.0})}) + 2.0 * up).norm() < kRounding);
+    }
+    CHECK(added({}) == Vector3::Zero());
+}
+
+TEST_CASE(
+    "contact damper: planes at right angles have each their own, nearly equal ones have one") {
+    const Vector3 velocity(0.01, -0.02, 0.03);
+    const Vector3 corner =
+        added({make_plane(Vector3::UnitX(), velocity), make_plane(Vector3::UnitY(), velocity),
+               make_plane(Vector3::UnitZ(), velocity)});
+    CHECK((corner + 10.0 * velocity).norm() < kRounding);
+    // The valley of two planes that bend by the angle 2 a: across it tan(a)^2 of a damper, along the line none, outwards one.
+    for (const double a : {0.0, 1.0e-3, 0.1, 0.4}) {
+        const auto force = [&](const Vector3& v) {
+            return added({make_plane({std::sin(a), std::cos(a), 0.0}, v),
+                          make_plane({-std::sin(a), std::cos(a), 0.0}, v)});
+        };
+        CHECK((force({0.0, -0.05, 0.0}) - 0.5 * Vector3::UnitY()).norm() < kRounding);
+        CHECK(force({0.0, 0.0, 7.0}).norm() < kRounding);
+        const Vector3 across = force({0.01, 0.0, 0.0});
+        CHECK(std::abs(across.x() + 0.1 * std::tan(a) * std::tan(a)) < kRounding);
+        CHECK(std::abs(across.y()) < kRounding);
+    }
+    // Two solids, each with its own matter and damper: a floor that rises, and a wall that stands.
+    DampedPlane wall = make_plane(Vector3::UnitX(), {0.03, 0.0, 0.0});
+    wall.damping_Ns_per_m = 5.0;
+    CHECK((added({make_plane(Vector3::UnitY(), {0.0, -0.1, 0.0}), wall}) - Vector3(-0.15, 1.0, 0.0))
+              .norm() < kRounding);
+}
+
+TEST_CASE("contact damper: friction is damped while it holds, and no further than it may hold") {
+    DampedPlane plane = make_plane(Vector3::UnitY(), {0.02, 0.0, 0.0});
+    plane.most_drag_N = 1.0;
+    plane.drag_N_W = {-0.5, 0.0, 0.0};
+    CHECK((added({plane}) - Vector3(-0.2, 0.0, 0.0)).norm() < kRounding);
+    // What slides stays on the circle, whatever the speed; pressed less it holds less, in the same cone.
+    for (const double speed_m_per_s : {0.05, 0.5, 5.0}) {
+        plane.velocity_W = {speed_m_per_s, 0.0, 0.0};
+        CHECK((added({plane}) - Vector3(-0.5, 0.0, 0.0)).norm() < kRounding);
+        plane.velocity_W.y() = 0.05;
+        CHECK((added({plane}) - Vector3(-0.25, -0.5, 0.0)).norm() < kRounding);
+    }
+    // A hand that turns back meets the damper before the spring has let go.
+    plane.drag_N_W = {-1.0, 0.0, 0.0};
+    plane.velocity_W = {-0.03, 0.0, 0.0};
+    CHECK((added({plane}) - Vector3(0.3, 0.0, 0.0)).norm() < kRounding);
+    // Lifted off faster than the spring pushes, nothing is held.
+    plane.velocity_W = {-0.03, 1.0, 0.0};
+    CHECK((added({plane}) - Vector3(1.0, -2.0, 0.0)).norm() < kRounding);
+}
+
+TEST_CASE("contact damper: whatever the planes, it takes from the hand, and no plane pulls") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const auto vector = [&] { return Vector3(uniform(random), uniform(random), uniform(random)); };
+    for (int i = 0; i < 20000; ++i) {
+        std::vector<DampedPlane> planes(static_cast<std::size_t>(1 + i % 3));
+        const Vector3 velocity = vector();
+        const Vector3 first = vector();
+        // Far apart, or nearly one; the velocity often nearly along them.
+        const double spread = i % 5 == 0 ? 1.0e-6 : 1.0;
+        double damping = 0.0;
+        for (DampedPlane& plane : planes) {
+            plane.normal_W = (first + spread * vector()).normalized();
+            plane.push_N = 2.0 + 2.0 * uniform(random);
+            plane.damping_Ns_per_m = 5.0 + 5.0 * uniform(random);
+            plane.velocity_W = velocity;
+            damping = std::max(damping, plane.damping_Ns_per_m);
+        }
+        const Vector3 felt = added(planes);
+        INFO("case " << i << " of " << planes.size() << " planes");
+        REQUIRE(felt.dot(velocity) <= kRounding);
+        // All of them together are no stronger than the strongest alone.
+        REQUIRE(felt.norm() <= damping * velocity.norm() * (1.0 + kRounding));
+        Vector3 springs = Vector3::Zero();
+        for (const DampedPlane& plane : planes) {
+            springs += plane.push_N * plane.normal_W;
+        }
+        // In the cone of the normals: no plane's share is below zero, seen from any direction that all planes face.
+        const Vector3 away = vector();
+        const bool faces_all = std::ranges::all_of(
+            planes, [&](const DampedPlane& plane) { return plane.normal_W.dot(away) >= 0.0; });
+        REQUIRE((!faces_all || (springs + felt).dot(away) >= -kRounding));
+    }
+}
+
+TEST_CASE("contact damper: with friction too it takes from the hand where the push does not fall") {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (int i = 0; i < 20000; ++i) {
+        DampedPlane plane = make_plane(Vector3::UnitY(), Vector3::Zero());
+        plane.most_drag_N = 1.0 + uniform(random);
+        plane.drag_N_W = plane.most_drag_N * uniform(random) *
+                         Vector3(std::cos(3.0 * i), 0.0, std::sin(3.0 * i));
+        plane.velocity_W = {uniform(random), -0.1 * (1.0 + uniform(random)), uniform(random)};
+        const Vector3 felt = added({plane});
+        REQUIRE(felt.dot(plane.velocity_W) <= kRounding);
+        const Vector3 force = plane.push_N * plane.normal_W + plane.drag_N_W + felt;
+        REQUIRE(std::hypot(force.x(), force.z()) <=
+                plane.most_drag_N / plane.push_N * force.y() * (1.0 + kRounding) + kRounding);
+    }
+}
