@@ -110,9 +110,10 @@ Expected<RigidBodyPlan> make_world_body(const LessonDescription& lesson, const S
                                         const SolidLoader& load_solid) {
     const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
     const BodyDescription simulated = as_simulated(body);
-    // What is felt has been loaded already.
-    const auto mesh = body.simulated_model.empty() ? Expected<MeshShape>(*find_mesh(solid.shape))
-                                                   : load_solid(simulated);
+    // What is felt as a mesh has been loaded already.
+    const MeshShape* const known = find_mesh(solid.shape);
+    const auto mesh = body.simulated_model.empty() && known != nullptr ? Expected<MeshShape>(*known)
+                                                                       : load_solid(simulated);
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }

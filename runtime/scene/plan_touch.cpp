@@ -4,6 +4,7 @@
 #include "haptics/loop/axle_stage.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/point/make_proxy.h"
+#include "runtime/scene/shape_models.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,13 @@ Expected<void> check_in_hand(const SolidPlan& solid, const MaterialDescription& 
                     "let it ring lower, or give world:hand a rate of " + std::to_string(rate_hz));
     }
     return {};
+}
+
+/// A ball is felt by its formula: its mesh would be felt as facets. A box's mesh is the box itself. Tools are made for meshes.
+SolidShape felt_shape(const BodyDescription& body, const HandDescription& hand,
+                      const MeshShape& mesh) {
+    const bool is_ball = is_ball_model(body.model) && body.boxes.empty() && !hand.tool;
+    return is_ball ? SolidShape(SphereShape{body.radius_m}) : SolidShape(mesh);
 }
 
 /// How far from the axis a hand may press it.
@@ -110,7 +118,8 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
         if (!mesh) {
             return tl::unexpected(mesh.error());
         }
-        SolidPlan solid{static_cast<std::int32_t>(i), *mesh, Pose::at(body.position_W)};
+        SolidPlan solid{static_cast<std::int32_t>(i), felt_shape(as_felt(body), lesson.hand, *mesh),
+                        Pose::at(body.position_W)};
         solid.lets_out = true;
         solid.surface.shading.on = body.rounded;
         if (body.material != kNoMaterial) {

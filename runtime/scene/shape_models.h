@@ -9,7 +9,7 @@ namespace fulcrum::runtime {
 
 /// A ball of the body's radius.
 inline constexpr std::string_view kSphereModel = "sphere";
-/// How finely that ball is divided to be touched: 11 520 triangles, flat to 0.2 % of the radius.
+/// How finely that ball is divided where a tool touches it: 11 520 triangles, flat to 0.2 % of the radius.
 inline constexpr int kSphereModelFrequency = 24;
 /// A cube twice that wide.
 inline constexpr std::string_view kBoxModel = "box";

@@ -164,8 +164,8 @@ namespace {
 long memory_of(const Sandbox& sandbox, const std::string& stage, const std::string& bodies) {
     sandbox.write("solids/lesson.lua",
                   "local L = lesson { id = \"solids\", title = \"T\", level = \"A1\" }\n"
-                  "local function ball(world, name, radius)\n"
-                  "  world:body { name = name, model = \"sphere\", radius = radius, solid = true,\n"
+                  "local function block(world, name, radius)\n"
+                  "  world:body { name = name, model = \"box\", radius = radius, solid = true,\n"
                   "               material = \"sandpaper\", at = { 0, 0.2, 0 } }\n"
                   "end\n"
                   "function L:start(world)\n" +
@@ -183,9 +183,9 @@ long memory_of(const Sandbox& sandbox, const std::string& stage, const std::stri
 
 TEST_CASE("solids: bodies of one model share its mesh, and those of one material its relief") {
     const Sandbox sandbox;
-    const char* one = "ball(world, \"a\", 0.05)";
-    const char* same = "ball(world, \"a\", 0.05) ball(world, \"b\", 0.05) ball(world, \"c\", 0.05)";
-    const char* other = "ball(world, \"a\", 0.05) ball(world, \"b\", 0.04)";
+    const char* one = "block(world, \"a\", 0.05)";
+    const char* same = "block(world, \"a\", 0.05) block(world, \"b\", 0.05) block(world, \"c\", 0.05)";
+    const char* other = "block(world, \"a\", 0.05) block(world, \"b\", 0.04)";
     const long mesh = memory_of(sandbox, "proxy", one);
     CHECK(memory_of(sandbox, "proxy", same) == mesh);
     CHECK(2 * memory_of(sandbox, "proxy", other) > 3 * mesh);
