@@ -85,6 +85,7 @@ SpoiledArm::Arm::Arm(SpoiledModel model, LatestValue<HandTarget>& target) {
 
 bool SpoiledArm::Arm::read(double now_s, DeviceReading& reading) noexcept {
     (void)device->read(now_s, reading);
+    handle_D = reading.pose_D.position;
     reading.pose_D.position += offset_D;
     if (spoil == Spoil::no_number) {
         reading.pose_D.position.y() = std::numeric_limits<double>::quiet_NaN();
@@ -208,7 +209,7 @@ bool SpoiledArm::write(double now_s, const Wrench& wrench_D) noexcept {
 
 void SpoiledArm::move_hand(double now_s) noexcept {
     (void)planned_.take();
-    wanted_.publish(hand_.step(now_s, planned_.value()));
+    wanted_.publish(hand_.step(now_s, planned_.value(), {arm_.handle_D, felt_D_.force}));
     if (hand_.holds() != holds_) {
         holds_ = hand_.holds();
         arm_.take_hold(holds_);
@@ -350,6 +351,7 @@ void SpoiledArm::watch(double now_s) noexcept {
     ++counts_.rounds;
     counts_.felt_rounds += counts_.force_N > kFelt_N ? 1 : 0;
     counts_.turned_rounds += counts_.torque_Nm > kFelt_Nm ? 1 : 0;
+    counts_.may_feel = !must_fade(spoil_) && !any(server_.status().faults);
     counts_.stamps_back = arm_.stamps_back;
     // A hand that goes too fast, or is given too much, shuts the arm's gate; the program hears of that as of a command that is not followed.
     if (any(server_.status().faults & (Fault::hand_too_fast | Fault::too_much_energy))) {

@@ -107,6 +107,8 @@ struct SpoiledCounts {
     double peak_Nm = 0.0;
     double force_N = 0.0;    ///< on the hand now
     double torque_Nm = 0.0;  ///< likewise
+    bool may_feel =
+        true;  ///< nothing is broken now that must take a force away, and the arm tells no fault
     std::uint64_t stamps_back =
         0;  ///< of the sensor: earlier than the one before. No kind of fault does that
     double quiet_s =
@@ -180,7 +182,8 @@ class SpoiledArm final : public Device {
         std::unique_ptr<SimulatedArm> desktop{};
         std::unique_ptr<SimulatedWam> wam{};
         Device* device = nullptr;
-        Wrench written_D{};  // last
+        Wrench written_D{};                 // last
+        Vector3 handle_D{Vector3::Zero()};  // where it is, whatever the sensor says
         Spoil spoil = Spoil::nothing;
         double stamp_s = 0.0;           // told last
         std::uint64_t stamps_back = 0;  // told that were earlier than the one before

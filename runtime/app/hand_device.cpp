@@ -287,8 +287,17 @@ std::string HandDevice::take_notice() {
     return notice;
 }
 
+void HandDevice::see(const std::optional<Vector3>& thing_W) {
+    thing_D_.reset();
+    if (thing_W) {
+        thing_D_ = compute_device_pose(workspace_, Pose::at(*thing_W)).position;
+    }
+}
+
 void HandDevice::follow(const Pose& target_W, std::uint32_t buttons) {
     HandTarget target;
+    target.sees_thing = thing_D_.has_value();
+    target.thing_D = thing_D_.value_or(Vector3::Zero());
     target.pose_D = compute_device_pose(workspace_, target_W);
     target.buttons = buttons;
     hand_target_.publish(target);

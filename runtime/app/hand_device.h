@@ -44,6 +44,9 @@ class HandDevice {
 
     /// Where the simulated person wants the hand, in the world; does nothing to other devices.
     void follow(const Pose& target_W, std::uint32_t buttons);
+    /// The middle of the thing to touch that this person sees nearest to the hand, in the world, if there is any; before `follow`.
+    void see(const std::optional<Vector3>& thing_W);
+    [[nodiscard]] bool sees_thing() const noexcept { return thing_D_.has_value(); }
     /// Where the mouse points, in the world; does nothing to other devices.
     void point_at(const Vector3& position_W, std::uint32_t buttons);
     /// Where the mouse pointed last, whatever the hand on the screen does.
@@ -106,6 +109,7 @@ class HandDevice {
     Workspace workspace_;
     SafetySettings safety_;
     LatestValue<HandTarget> hand_target_;
+    std::optional<Vector3> thing_D_{};  // that is seen nearest
     LatestValue<PointerTarget> pointer_target_;
     Pose pointer_W_;
     std::unique_ptr<ArmLine> line_;  // what a link needs; outlives the device

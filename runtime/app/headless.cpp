@@ -27,6 +27,8 @@ class VirtualClock {
           desk_(settings.desk),
           spoiler_(settings.spoiler),
           deadlines_(settings.deadlines),
+          felt_(settings.felt),
+          again_after_s_(settings.again_after_s),
           rate_hz_(run.plan().haptic.rate_hz),
           world_every_(
               run.world_loop() != nullptr ? std::lround(rate_hz_ / run.plan().world_rate_hz()) : 0),
@@ -71,6 +73,12 @@ class VirtualClock {
         if (deadlines_ != nullptr) {
             watch_deadlines(jumped_s_ - before_s, world_is_due, kite_is_due);
         }
+        if (const SpoiledCounts* const arm = run_.spoiled_counts();
+            felt_ != nullptr && arm != nullptr) {
+            felt_->hands_stepped(run_.haptic_loop().state(), arm->force_N,
+                                 arm->may_feel && (spoiler_ == nullptr || spoiler_->may_feel()),
+                                 run_.sees_thing());
+        }
         ++tick_;
     }
 
@@ -80,6 +88,9 @@ class VirtualClock {
         }
         FrameInput input;
         input.time_s = now_s();
+        if (is_played_again()) {
+            input.keys.emplace_back("space");
+        }
         if (desk_ != nullptr) {
             auto done = desk_->step(now_s(), 1.0 / frame_rate_hz_);
             if (!done) {
@@ -112,6 +123,16 @@ class VirtualClock {
             (void)::kill(run_.process().pid(), SIGKILL);
         }
         return spoiler_->world_runs(now_s());
+    }
+    // Who has seen the end wants it again.
+    bool is_played_again() {
+        const bool is_over = again_after_s_ > 0.0 && run_.session().result().finished;
+        ended_s_ = !is_over ? -1.0 : ended_s_ < 0.0 ? now_s() : ended_s_;
+        if (!is_over || now_s() - ended_s_ < again_after_s_) {
+            return false;
+        }
+        ended_s_ = -1.0;
+        return true;
     }
     [[nodiscard]] double quiet_around_s() const {
         return spoiler_ != nullptr ? spoiler_->quiet_s(now_s()) : now_s();
@@ -156,6 +177,9 @@ class VirtualClock {
     SimulatedDesk* desk_;
     RunSpoiler* spoiler_;
     DeadlineWatch* deadlines_;
+    FeltWatch* felt_;
+    double again_after_s_;
+    double ended_s_ = -1.0;
     double jumped_s_ = 0.0;
     double rate_hz_;
     long world_every_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "runtime/app/deadline_watch.h"
+#include "runtime/app/felt_watch.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/run_spoiler.h"
 #include "runtime/app/simulated_desk.h"
@@ -31,6 +32,10 @@ struct HeadlessSettings {
     RunSpoiler* spoiler = nullptr;
     /// Watches that nobody is late under the virtual clock; null for a plain run, which is the same to the byte.
     DeadlineWatch* deadlines = nullptr;
+    /// Likewise for how long a force is felt.
+    FeltWatch* felt = nullptr;
+    /// A key is pressed so long after the lesson has finished, to play it again; 0 for none.
+    double again_after_s = 0.0;
     /// Times every stage; null for a plain run, which is the same to the byte.
     StageClock* clock = nullptr;
     bool shows_prints = true;  ///< what the lesson prints goes to standard output

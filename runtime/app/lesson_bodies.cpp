@@ -38,6 +38,33 @@ void LessonRun::take_rigid_bodies() {
     }
 }
 
+// A simulated person who may go where nobody planned sees where things are.
+void LessonRun::look_around() {
+    constexpr double kStays =
+        0.7;  // who looks at something looks on until another is nearer by so much
+    const auto& bodies = session_->description().bodies;
+    const WorldSnapshot* const world = newest_world();
+    const Vector3 hand_W = channels_.state_for_lesson.value().tool_pose_W.position;
+    std::optional<Vector3> nearest_W;
+    double nearest_m = 0.0;
+    std::size_t seen = kMaxBodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!bodies[i].solid || (world != nullptr && world->bodies[i].where == BodyWhere::hidden)) {
+            continue;
+        }
+        const Vector3 at_W =
+            world == nullptr ? bodies[i].position_W : world->bodies[i].pose_W.position;
+        const double away_m = (i == looked_at_ ? kStays : 1.0) * (at_W - hand_W).norm();
+        if (!nearest_W || away_m < nearest_m) {
+            nearest_W = at_W;
+            nearest_m = away_m;
+            seen = i;
+        }
+    }
+    looked_at_ = seen;
+    hand_->see(nearest_W);
+}
+
 void LessonRun::place_visible_bodies() {
     if (!world_loop_) {
         return;

@@ -341,6 +341,9 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
         return tl::unexpected(commanded.error());
     }
     if (output->has_hand_target) {
+        if (spoiled_counts() != nullptr) {
+            look_around();
+        }
         hand_->follow(output->hand_target_W, output->hand_buttons);
         wish_ = HandWish{output->hand_target_W, output->hand_buttons, output->hand_key};
     }

@@ -108,6 +108,8 @@ class LessonRun {
     [[nodiscard]] std::size_t n_hands() const { return 1 + more_hands_.size(); }
     /// The hand that is moved so, counted from 0; none where no hand is.
     [[nodiscard]] std::optional<std::size_t> find_hand(HandKind kind) const;
+    /// Whether a simulated person on whose arm things break sees anything to touch now.
+    [[nodiscard]] bool sees_thing() const { return hand_->sees_thing(); }
     /// Whether any hand's device gives forces.
     [[nodiscard]] bool renders_force() const;
     /// Null when the plan has none.
@@ -259,6 +261,7 @@ class LessonRun {
 
     void choose_pupil(const LessonDescription& description, const RunRequest& request);
     void place_visible_bodies();
+    void look_around();
     [[nodiscard]] Expected<SessionInput> gather(const FrameInput& input);
     [[nodiscard]] Expected<FrameReport> conclude(const LessonReply& reply);
     [[nodiscard]] Expected<void> command_world(const std::vector<WorldCommand>& commands);
@@ -303,6 +306,7 @@ class LessonRun {
     HandFit fit_{};                          // said and kept
     std::optional<ReplayedInput> replayed_;  // where a record tells what was done besides the hand
     bool at_desk_ = false;                   // who plays types and chooses the pupil's answers
+    std::size_t looked_at_ = kMaxBodies;     // body by its index; none
     std::optional<HandWish> wish_;
     WorldPost to_world_;
     SourceLine say_line_ = 0;

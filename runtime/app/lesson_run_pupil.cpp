@@ -63,7 +63,7 @@ void LessonRun::choose_pupil(const LessonDescription& description, const RunRequ
     const std::optional<LearnerRates> rates =
         find_pupil_rates(request, plays_own_test ? &description.tests.front() : nullptr);
     if (rates && request.say.empty()) {
-        pupil_.emplace(LearnerModel(*rates, request.seed));
+        pupil_.emplace(LearnerModel(*rates, request.seed), request.thinking_s);
         say_line_ = plays_own_test ? description.tests.front().line : 0;
     } else if (request.learner_without_test && request.say.empty() &&
                (!plays_own_test || description.tests.front().say.empty())) {

@@ -7,6 +7,7 @@
 #include "runtime/app/places.h"
 #include "runtime/app/played_by.h"
 #include "runtime/lesson/hand_fit.h"
+#include "runtime/lesson/simulated_pupil.h"
 #include "runtime/scene/plan.h"
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct RunRequest : HandChoice {
     HandsThere hands_there = HandsThere::simulated;  ///< for the hands that nobody chose for
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
     std::optional<LearnerRates> learner_rates;  ///< a simulated learner answers instead
+    double thinking_s = kThinking_s;            ///< how long before each answer
     /// Where the lesson has no test of its own, or its test answers nothing, this one answers.
     std::optional<LearnerRates> learner_without_test;
     bool own_test = false;  ///< use the hand and the answers of the lesson's first L:test

@@ -39,8 +39,7 @@ double RunSpoiler::step(double now_s, double force_N) noexcept {
 }
 
 void RunSpoiler::watch_fade(double now_s) noexcept {
-    const bool is_silent = must_fade(spoil_) && (spoil_ != RunSpoil::world_stands || has_world_);
-    if (!is_silent || now_s - from_s_ < kMostQuiet_s) {
+    if (!is_silent() || now_s - from_s_ < kMostQuiet_s) {
         return;
     }
     if (force_N_ > kGone_N) {

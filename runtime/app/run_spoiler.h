@@ -76,6 +76,8 @@ class RunSpoiler {
     [[nodiscard]] bool has_killed() const noexcept { return has_killed_; }
     /// The run is over, with this force on the hand: a lesson that was killed is not there to tell.
     void end(double force_N) noexcept;
+    /// Nothing is broken now that must take a force away, and the lesson lives.
+    [[nodiscard]] bool may_feel() const noexcept { return !is_silent() && !has_killed_; }
     /// For so long nothing has been broken; 0 while something is, and when the lesson was killed.
     [[nodiscard]] double quiet_s(double now_s) const noexcept;
 
@@ -96,6 +98,10 @@ class RunSpoiler {
     }
     void choose(double now_s) noexcept;
     void watch_fade(double now_s) noexcept;
+    // Whether something is broken that must take the force away.
+    [[nodiscard]] bool is_silent() const noexcept {
+        return must_fade(spoil_) && (spoil_ != RunSpoil::world_stands || has_world_);
+    }
 
     SplitMix chance_;
     bool has_world_ = false;

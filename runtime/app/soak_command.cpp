@@ -30,7 +30,9 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kSoakErrors = 0.3;  // of a learner's answers
-constexpr double kLiftAfter_s = 3.0;
+constexpr double kLiftAfter_s = 1.0;
+constexpr double kAgainAfter_s = 1.0;
+constexpr double kSoakThinking_s = 0.2;
 constexpr rlim_t kDiskHolds = 1'000'000;  // bytes of a record: full after some four seconds
 constexpr double kRounds_Hz = 1000.0;
 constexpr double kRealTime_s = 2.0;             // of each lesson
@@ -190,7 +192,8 @@ bool brings_more(const std::string& lesson, std::uint64_t seed, double seconds,
     const auto is_new = [&](RunSpoil kind, double at_s) {
         return sum.lacks(kind) && is_in_time(at_s, sum.around[static_cast<std::size_t>(kind)] > 0);
     };
-    return (sum.turned_rounds == 0 && model_of(spoil_seed) == SpoiledModel::wam) ||
+    return std::ranges::count(sum.deeds, 0U) > 0 ||
+           (sum.turned_rounds == 0 && model_of(spoil_seed) == SpoiledModel::wam) ||
            (sum.lacks(arm.kind) &&
             is_in_time(arm.at_s, sum.happened[static_cast<std::size_t>(arm.kind)] > 0)) ||
            is_new(around.first(), around.first_at_s()) ||
@@ -211,6 +214,7 @@ RunRequest make_soak_request(const std::filesystem::path& folder, const std::str
     request.spoil_seed = spoil_seed_of(lesson, seed);
     request.spoil_model = model_of(*request.spoil_seed);
     request.learner_rates = rates_of(kSoakErrors);
+    request.thinking_s = kSoakThinking_s;
     return request;
 }
 
@@ -246,6 +250,9 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     settings.spoiler = &spoiler;
     DeadlineWatch deadlines;
     settings.deadlines = &deadlines;
+    FeltWatch felt;
+    settings.felt = &felt;
+    settings.again_after_s = kAgainAfter_s;
     settings.after_frame = [&](double now_s) { lifter.step(now_s); };
     if (spoiler.fills_disk()) {
         disk.fill();
@@ -267,6 +274,7 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     result.since_s = result.arm.bad_since_s >= 0.0  ? result.arm.bad_since_s
                      : spoiler.bad_since_s() >= 0.0 ? spoiler.bad_since_s()
                                                     : deadlines.broken_at_s();
+    result.felt = felt.rounds();
     result.around = spoiler.happened();
     result.around_faded = spoiler.faded();
     if (spoiler.fills_disk() && !was_filled(result.arm)) {
@@ -345,7 +353,7 @@ int soak_command(const Installation& installation, const Options& options) {
             }
             run->processor_s = processor_s() - used_s;
             tell_soak(lesson, seed, seconds, *run);
-            sum.add(*run);
+            sum.add(lesson, *run);
         }
         if (seed == first) {
             // What the first sentence that needs it loads, once, is no growth.

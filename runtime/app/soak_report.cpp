@@ -10,7 +10,11 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kMostGrowth_MB = 64.0;  // allocators keep what was freed
-constexpr double kMostKept_MB = 1.0;     // of what is asked for; a leak in each run passes this
+constexpr double kRound_s = 0.001;
+constexpr double kLeastFelt = 1.0 / 3.0;          // of the time in which a lesson can give a force
+constexpr double kLeastOfAll = 0.1;               // of all its time
+constexpr std::uint64_t kJudgedRounds = 120'000;  // fewer are chance
+constexpr double kMostKept_MB = 1.0;  // of what is asked for; a leak in each run passes this
 
 template <class Counts>
 void add_up(const Counts& from, Counts& to) {
@@ -33,7 +37,8 @@ void list(std::string& text, const Counts& counts, const IsTold& is_told) {
 
 }  // namespace
 
-void SoakSum::add(const SoakRun& run) {
+void SoakSum::add(const std::string& lesson, const SoakRun& run) {
+    felt[lesson] += run.felt;
     add_up(run.arm.happened, happened);
     add_up(run.arm.faded, faded);
     add_up(run.around, around);
@@ -71,6 +76,17 @@ bool SoakSum::has_all() const {
         }
     }
     return std::ranges::count(deeds, 0U) == 0 && turned_rounds > 0;
+}
+
+std::string SoakSum::find_seldom_felt() const {
+    for (const auto& [lesson, rounds] : felt) {
+        if (rounds.all >= kJudgedRounds &&
+            (rounds.share() < kLeastFelt ||
+             static_cast<double>(rounds.felt) < kLeastOfAll * static_cast<double>(rounds.all))) {
+            return lesson;
+        }
+    }
+    return {};
 }
 
 void tell_soak(const std::string& lesson, std::uint64_t seed, double seconds, const SoakRun& run) {
@@ -118,7 +134,17 @@ std::string describe_soak(const SoakSum& sum, const SoakGrowth& growth) {
     list<RunSpoil>(text, sum.around_faded, fades);
     text += ".\nThe hand:";
     list<HandDeed>(text, sum.deeds, [](HandDeed) { return true; });
-    return text + ".\nDeadlines under the virtual clock: " + std::to_string(sum.n_deadlines) +
+    text += ".\n";
+    for (const auto& [lesson, rounds] : sum.felt) {
+        const double all_s = kRound_s * static_cast<double>(rounds.all);
+        const double possible_s = kRound_s * static_cast<double>(rounds.possible);
+        std::snprintf(
+            all.data(), all.size(),
+            "Felt in %s: a force in %.0f %% of the %.0f s in which it can be, of %.0f s.\n",
+            lesson.c_str(), 100.0 * rounds.share(), possible_s, all_s);
+        text += all.data();
+    }
+    return text + "Deadlines under the virtual clock: " + std::to_string(sum.n_deadlines) +
            " met.\n";
 }
 
@@ -135,6 +161,15 @@ int conclude_soak(const SoakSum& sum, bool all, const SoakGrowth& growth) {
                          "nothing is known of it",
                          {},
                          "give --seconds 10 or more"},
+                        1);
+    }
+    if (const std::string lesson = sum.find_seldom_felt(); all && !lesson.empty()) {
+        return complain({"in " + lesson +
+                             " a force was felt in less than a third of the time in which "
+                             "it can be, or a tenth of all, so little is known of its forces",
+                         {},
+                         "let its simulated hand touch, lift and stroke more, and go back to where "
+                         "things are"},
                         1);
     }
     return sum.failed

@@ -3,11 +3,13 @@
 
 #include "haptics/link/spoiled_arm.h"
 #include "runtime/app/deadline_watch.h"
+#include "runtime/app/felt_watch.h"
 #include "runtime/app/run_spoiler.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 
 namespace fulcrum::runtime {
@@ -20,6 +22,7 @@ struct SoakRun {
     std::array<std::uint64_t, kRunSpoils> around{};  ///< what broke around it, by RunSpoil
     std::array<std::uint64_t, kRunSpoils> around_faded{};
     std::uint64_t n_deadlines = 0;  ///< met
+    FeltRounds felt{};
     double simulated_s = 0.0;
     double wall_s = 0.0;
     double processor_s = 0.0;  ///< of the program and the lesson's process, from loading to the end
@@ -30,19 +33,23 @@ struct SoakRun {
 /// What all runs together showed.
 class SoakSum {
   public:
-    void add(const SoakRun& run);
+    void add(const std::string& lesson, const SoakRun& run);
 
     /// Whether it has not happened yet, or no force that must fade while it lasts has been seen to.
     [[nodiscard]] bool lacks(Spoil spoil) const;
     [[nodiscard]] bool lacks(RunSpoil spoil) const;
     /// Whether every kind of fault has happened, and each that must has taken a force away, the hand has done all that it does, and felt a torque.
     [[nodiscard]] bool has_all() const;
+    /// The lesson that was played long enough to be judged and gave a force in less than a third of the time in which it can, or
+    /// a tenth of all; empty for none.
+    [[nodiscard]] std::string find_seldom_felt() const;
 
     std::array<std::uint64_t, kSpoils> happened{};
     std::array<std::uint64_t, kSpoils> faded{};
     std::array<std::uint64_t, kRunSpoils> around{};
     std::array<std::uint64_t, kRunSpoils> around_faded{};
     std::array<std::uint64_t, kHandDeeds> deeds{};
+    std::map<std::string, FeltRounds> felt{};  ///< by lesson
     std::uint64_t n_deadlines = 0;
     std::uint64_t felt_rounds = 0;
     std::uint64_t turned_rounds = 0;

@@ -16,10 +16,12 @@
 
 namespace fulcrum::runtime {
 
+inline constexpr double kThinking_s = 1.0;  ///< before an answer
+
 class SimulatedPupil {
   public:
-    explicit SimulatedPupil(std::vector<std::string> lines, double thinking_s = 1.0);
-    explicit SimulatedPupil(const LearnerModel& model, double thinking_s = 1.0);
+    explicit SimulatedPupil(std::vector<std::string> lines, double thinking_s = kThinking_s);
+    explicit SimulatedPupil(const LearnerModel& model, double thinking_s = kThinking_s);
 
     /// Reads one answer a line; blank lines and lines that begin with # are passed over.
     [[nodiscard]] static Expected<std::vector<std::string>> read_lines(const std::string& path);

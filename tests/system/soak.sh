@@ -17,10 +17,10 @@ for ((i = 1; i < times; ++i)); do
     [[ $(hash_of 11) == "$first" ]] || { echo "soak.sh: seed 11 gives another run the ${i}th time" >&2; exit 1; }
 done
 [[ $(hash_of 12) != "$first" ]] || { echo "soak.sh: seeds 11 and 12 give the same run" >&2; exit 1; }
-# Seeds that once found something: a force that an arm's brake still gave, long after the program had faded; a hand too fast, told as lateness.
-for found in "kite 4" "kite 6" "gravity 7"; do
-    read -r lesson seed <<<"$found"
-    "$fulcrum" soak --lesson "$lesson" --seed "$seed" --seeds 1 --seconds 60 >"$home/found.log" || { cat "$home/found.log" >&2; exit 1; }
+# Longer ones, of a lesson that pulls all the time and of two with things to be touched.
+for long in "kite 4" "textures 6" "solar-system 4"; do
+    read -r lesson seed <<<"$long"
+    "$fulcrum" soak --lesson "$lesson" --seed "$seed" --seeds 1 --seconds 60 >"$home/long.log" || { cat "$home/long.log" >&2; exit 1; }
 done
 "$fulcrum" soak --seeds 1 --seed 21 --seconds "$seconds" >"$home/soak.log" || { cat "$home/soak.log" >&2; exit 1; }
 cat "$home/soak.log"
@@ -30,6 +30,10 @@ grep -qE '^Faded: cable pulled' "$home/soak.log"
 grep -qE '^[a-z-]+ +wam +seed ' "$home/soak.log"
 ! grep -qE 'a torque in 0 s' "$home/soak.log" || { echo "soak.sh: no torque was felt" >&2; exit 1; }
 ! grep -E '^(Broke|Faded|The hand):' "$home/soak.log" | grep -E ' 0[,.]' || { echo "soak.sh: a kind of fault did not occur" >&2; exit 1; }
+# Of each lesson it is told for how long a force was felt, and where one could be it was.
+[[ $(grep -cE '^Felt in [a-z-]+: a force in [1-9][0-9]* % of the [1-9]|^Felt in [a-z-]+: a force in 0 % of the 0 s' "$home/soak.log") -eq \
+    $(sed -n 's/^\([a-z-]*\) .* seed [0-9].*/\1/p' "$home/soak.log" | sort -u | wc -l) ]] ||
+    { echo "soak.sh: of some lesson no force was felt" >&2; exit 1; }
 # How late the loops are in real time is told of each lesson.
 lessons=$(sed -n 's/^\([a-z-]*\) .* seed [0-9].*/\1/p' "$home/soak.log" | sort -u | wc -l)
 [[ $(grep -cE '^[a-z-]+ +in real time: Haptic loop: [0-9]+ rounds, late by ' "$home/soak.log") -eq $lessons ]] ||

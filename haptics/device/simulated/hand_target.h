@@ -15,6 +15,8 @@ struct HandTarget {
     Vector3 velocity_D{Vector3::Zero()};  ///< metres per second; with it the hand follows a moving
                                           ///< target without lag
     std::uint32_t buttons = 0;            ///< one bit a button
+    bool sees_thing = false;              ///< there is something to touch
+    Vector3 thing_D{Vector3::Zero()};     ///< the middle of the nearest such thing
 };
 
 /// A target that is no pose would stay in an arm's state for ever.

@@ -50,7 +50,7 @@ SpoiledCounts run_arm(HapticPlan plan, SpoiledArm& arm, Ask ask, double seconds)
 SpoiledCounts run_spoiled(std::uint64_t seed, double seconds, double limit_N = 5.0,
                           double watched_N = 0.0, double slew_N_per_s = 500.0) {
     LatestValue<HandTarget> target;
-    target.publish({});
+    target.publish({.sees_thing = seed % 2 == 0});
     HapticPlan plan;
     plan.safety.max_force_N = limit_N;
     plan.safety.max_slew_N_per_s = slew_N_per_s;

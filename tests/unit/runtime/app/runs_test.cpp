@@ -39,7 +39,7 @@ SoakRun make_whole() {
 
 SoakSum sum_of(const SoakRun& run) {
     SoakSum sum;
-    sum.add(run);
+    sum.add("gravity", run);
     return sum;
 }
 
@@ -294,6 +294,49 @@ TEST_CASE("soak report: whole is what has each kind, each fade and each deed of 
     }
 }
 
+TEST_CASE("felt watch: what can be felt is what nothing keeps away, by a hand or by the scene") {
+    FeltWatch watch;
+    HapticState asks;
+    asks.gate = GatePhase::open;
+    asks.commanded_W.force.y() = 1.0;
+    HapticState faulty = asks;
+    faulty.faults = Fault::command_stale;
+    HapticState waits = asks;
+    waits.gate = GatePhase::waiting;
+    HapticState idle;
+    idle.gate = GatePhase::open;
+    watch.hands_stepped(asks, 1.0, true, false);
+    watch.hands_stepped(asks, 0.0, true, false);
+    watch.hands_stepped(asks, 0.0, false, true);   // something is broken
+    watch.hands_stepped(faulty, 0.0, true, true);  // or told
+    watch.hands_stepped(idle, 0.0, true, false);   // nothing to feel
+    watch.hands_stepped(idle, 0.0, true, true);
+    watch.hands_stepped(waits, 0.0, true, false);  // a weight that nobody can let go of
+    watch.hands_stepped(waits, 0.0, true, true);   // who touches can
+    CHECK(watch.rounds().all == 8);
+    CHECK(watch.rounds().possible == 4);
+    CHECK(watch.rounds().felt == 1);
+    CHECK(watch.rounds().share() == 0.25);
+}
+
+TEST_CASE(
+    "soak report: a lesson whose force is seldom felt is named, one played too short is not") {
+    const auto judge = [](std::uint64_t all, std::uint64_t possible, std::uint64_t felt) {
+        SoakRun run = make_whole();
+        run.felt = {all, possible, felt};
+        return sum_of(run);
+    };
+    CHECK(judge(120'000, 80'000, 42'000).find_seldom_felt().empty());
+    CHECK(judge(120'000, 80'000, 20'000).find_seldom_felt() == "gravity");
+    CHECK(judge(120'000, 5'000, 5'000).find_seldom_felt() == "gravity");  // hardly ever possible
+    CHECK(judge(30'000, 20'000, 0).find_seldom_felt().empty());
+    CHECK(conclude_soak(judge(120'000, 80'000, 20'000), true, {}) == 1);
+    CHECK(conclude_soak(judge(120'000, 80'000, 20'000), false, {}) == 0);
+    CHECK(describe_soak(judge(120'000, 80'000, 20'000), {})
+              .find("Felt in gravity: a force in 25 % of the 80 s in which it can be, of 120 s.") !=
+          std::string::npos);
+}
+
 TEST_CASE("soak report: a soak in which no torque was felt says nothing of torques") {
     SoakRun run = make_whole();
     run.arm.turned_rounds = 0;
@@ -316,7 +359,7 @@ TEST_CASE("soak report: how fast it was is told by the clock and by what the pro
     run.wall_s = 12.0;
     run.processor_s = 5.0;
     SoakSum sum = sum_of(run);
-    sum.add(run);
+    sum.add("gravity", run);
     const std::string text = describe_soak(sum, {});
     INFO(text);
     CHECK(text.find("In all 1200 s, 50 times real time, 120 times its processor time, with") == 0);
@@ -329,6 +372,6 @@ TEST_CASE("soak report: each kind is told with how often it broke and how often 
                {"Broke: packets lost 2, a long way 2", ", disk full 3.",
                 "Faded: cable pulled 1, no pose 1, no number 1, a stuck sensor 1, motor refuses "
                 "1, stop at the arm 1, world stands 1, lesson hangs 1, lesson killed 1.",
-                "The hand: follows 1, presses 1, slides 1, jerks 1, lets go 1.",
+                "The hand: follows 1, presses 1, slides 1, jerks 1, lets go 1, touches 1.",
                 "Deadlines under the virtual clock: 12 met."});
 }
