@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # faults.sh FULCRUM: what surrounds a run goes wrong, and the forces are as they were: a lesson that makes much garbage, a full disk under the
-# record and under what is kept of a learner, a disk that is slow.
+# record and under what is kept of a learner, a disk that is slow; what is kept is taken away while somebody plays.
 set -euo pipefail
 fulcrum=$1
 home=$(mktemp -d)
@@ -69,6 +69,23 @@ expect "$home/unkept.log" '^gravity: finished' "a full disk keeps the lesson fro
 "$fulcrum" report --format csv >"$home/after.csv" 2>"$home/report.log" || fail "after a full disk there is no report"
 # No attempt, answer or star fewer than before: the report's lines only grow.
 [[ $(wc -l <"$home/after.csv") -ge $(wc -l <"$home/before.csv") ]] && grep -q Mina "$home/after.csv" || fail "what was kept before the disk was full is lost"
+
+# What is kept is taken away, or another file put in its place, while somebody plays: told once, and what was kept before is whole where it is.
+kept=$XDG_DATA_HOME/fulcrum/progress.db
+for how in gone replaced; do
+    "$fulcrum" run gravity --headless --real-time --errors 0 --learner Mina --seconds 4 --record "$home/$how.rec" >"$home/$how.log" 2>&1 &
+    player=$!
+    # Some rounds long: the lesson has begun.
+    until [[ $(stat -c %s "$home/$how.rec" 2>/dev/null || echo 0) -gt 50000 ]]; do kill -0 "$player" || fail "the lesson was not played"; sleep 0.05; done
+    mv "$kept" "$home/away.db"
+    [[ $how == gone ]] || echo "another file" >"$kept"
+    code=0
+    wait "$player" || code=$?
+    [[ $code -eq 4 ]] || fail "a lesson whose database is $how ends with code $code, not 4"
+    [[ $(grep -c 'the database was removed or replaced' "$home/$how.log") -eq 1 ]] || fail "a database that is $how is not told once"
+    mv "$home/away.db" "$kept"
+    "$fulcrum" report --format csv 2>"$home/report.log" | grep -q Mina || fail "what was kept is lost with a database that is $how"
+done
 
 # A disk that takes nothing for two seconds: a pipe whose reader waits. Under a virtual clock it is played all the same, and the record is whole.
 mkfifo "$home/slow"

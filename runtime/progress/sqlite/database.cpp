@@ -156,7 +156,21 @@ double Statement::real() {
     return sqlite3_column_double(handle_.get(), column_++);
 }
 
+void Database::check_in_place() const {
+    int has_moved = 0;  // stays so where the file layer cannot tell
+    sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
+    if (has_moved != 0) {
+        throw Refused(
+            {"the database was removed or replaced while it was in use, so this was not "
+             "kept",
+             path_, "put it back and begin again"});
+    }
+}
+
 Transaction::Transaction(Database& database, Kind kind) : database_(database) {
+    if (kind == Kind::write) {
+        database_.check_in_place();
+    }
     database_.run(kind == Kind::write ? "BEGIN IMMEDIATE" : "BEGIN");
 }
 

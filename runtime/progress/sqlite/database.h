@@ -50,6 +50,8 @@ class Database {
     [[nodiscard]] int changes() const noexcept { return sqlite3_changes(handle_.get()); }
     [[nodiscard]] sqlite3* handle() const noexcept { return handle_.get(); }
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
+    /// Throws `Refused` where another file, or none, stands in its place: what is written then nobody reads again.
+    void check_in_place() const;
     /// Throws `Refused` for a result code of this connection.
     [[noreturn]] void refuse(int code) const;
 

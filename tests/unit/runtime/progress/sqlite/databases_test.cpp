@@ -132,6 +132,25 @@ TEST_CASE("database: what is refused becomes one sentence with the path and what
     CHECK(guarded([] { return 7; }) == 7);
 }
 
+TEST_CASE("store: what would be written into a file that is no longer there is refused") {
+    for (const bool is_replaced : {false, true}) {
+        OwnClassroom room;
+        REQUIRE(room.store->add_attempt(attempt_for(room.session.id, "heaviest", 1, true)));
+        std::filesystem::rename(room.path, room.path + ".away");
+        if (is_replaced) {
+            write_bytes(room.path, "another file");
+        }
+        const std::string told =
+            error_text(room.store->add_attempt(attempt_for(room.session.id, "heaviest", 2, true)));
+        CAPTURE(told);
+        CHECK(is_sentence_about(told, room.path));
+        CHECK(told.find("removed or replaced") != std::string::npos);
+        // Put back it goes on.
+        std::filesystem::rename(room.path + ".away", room.path);
+        CHECK(room.store->add_attempt(attempt_for(room.session.id, "heaviest", 2, true)));
+    }
+}
+
 TEST_CASE("database: a path may hold what means something in a URI") {
     const TemporaryFolder folder;
     const std::string path = folder.file("a?b#c%20d e\xEB\xAF\xBC.db");
