@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <thread>
+#include <unistd.h>
 
 namespace fulcrum::runtime {
 
@@ -13,6 +15,19 @@ namespace {
 
 constexpr double kDeskFrame_s = 1.0 / 120.0;  // twice a lesson's rate
 constexpr double kLongestFrame_s = 0.1;       // as sound is told
+constexpr auto kFadeTime =
+    std::chrono::milliseconds(250);  // a gate's fade, and the record's last block
+
+// The haptic thread knows of no screen, and lets the force go as after any stop.
+void leave_without_screen() noexcept {
+    (void)::kill(::getpid(), SIGUSR1);
+    std::this_thread::sleep_for(kFadeTime);
+    (void)std::fputs(
+        "The screen is gone, so the force has been let go and the program ends; what was answered "
+        "is kept. Log in "
+        "again and start the lesson anew.\n",
+        stderr);
+}
 
 }  // namespace
 
@@ -23,6 +38,7 @@ Expected<Desktop> Desktop::open(const Places& places, bool with_sound, const Voi
         return tl::unexpected(window.error());
     }
     desktop.window = std::move(*window);
+    Window::on_lost_screen(leave_without_screen);
     auto picture = PictureThread::start(places, *desktop.window);
     if (!picture) {
         return tl::unexpected(picture.error());

@@ -184,7 +184,8 @@ long memory_of(const Sandbox& sandbox, const std::string& stage, const std::stri
 TEST_CASE("solids: bodies of one model share its mesh, and those of one material its relief") {
     const Sandbox sandbox;
     const char* one = "block(world, \"a\", 0.05)";
-    const char* same = "block(world, \"a\", 0.05) block(world, \"b\", 0.05) block(world, \"c\", 0.05)";
+    const char* same =
+        "block(world, \"a\", 0.05) block(world, \"b\", 0.05) block(world, \"c\", 0.05)";
     const char* other = "block(world, \"a\", 0.05) block(world, \"b\", 0.04)";
     const long mesh = memory_of(sandbox, "proxy", one);
     CHECK(memory_of(sandbox, "proxy", same) == mesh);

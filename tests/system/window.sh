@@ -55,3 +55,23 @@ lesson 'function L:start(world' 'end'
 timeout 60 "$program" run "$folder/x" --mute --seconds 1 >"$folder/said" 2>&1 || code=$?
 [[ ${code:-0} != 124 ]] || { echo "a lesson that cannot begin never ends"; exit 1; }
 grep -q "lesson.lua:3:" "$folder/said"
+
+# A screen that goes while somebody plays: the force is let go as by a stop, of which the process gives its word, and one sentence says why
+# it ends.
+lesson 'function L:update(world, dt) print("plays") end'
+: >"$folder/said"
+"$program" run "$folder/x" --mute --seconds 30 >>"$folder/said" 2>&1 &
+child=$!
+wait_for plays
+kill "$server"
+word=
+while name=$(cat "/proc/$child/comm" 2>/dev/null) && [[ -n $name ]]; do
+    [[ $name != *'!1' ]] || word=given
+    sleep 0.01
+done
+code=0
+wait "$child" || code=$?
+child=
+[[ $code -eq 1 && $(grep -vc '^plays$' "$folder/said") -eq 1 ]] && grep -q '^The screen is gone' "$folder/said" ||
+    { echo "without a screen it ended with $code"; grep -v '^plays$' "$folder/said"; exit 1; }
+[[ $word == given ]] || { echo "without a screen the force was not let go"; exit 1; }

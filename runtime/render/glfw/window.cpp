@@ -12,12 +12,31 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <dlfcn.h>
+#include <unistd.h>
 
 namespace fulcrum::runtime {
 
 namespace {
 
 bool a_window_is_open = false;
+
+std::atomic<void (*)() noexcept> leave_lost_screen{nullptr};
+
+// Xlib's, found by name: its header would be the only use of its package.
+void watch_for_lost_screen() {
+    using Handler = int (*)(void* display);
+    const auto set_handler =
+        reinterpret_cast<Handler (*)(Handler)>(::dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
+    if (set_handler != nullptr) {
+        set_handler([](void* /*display*/) -> int {
+            if (const auto leave = leave_lost_screen.exchange(nullptr); leave != nullptr) {
+                leave();
+            }
+            ::_exit(1);
+        });
+    }
+}
 
 bool names_display(const char* variable) {
     const char* value = std::getenv(variable);
@@ -228,6 +247,7 @@ Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int w
                     "update the graphics driver or run with --headless");
     }
     a_window_is_open = true;
+    watch_for_lost_screen();
     glfwMakeContextCurrent(parts->window);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(parts->window, &parts->events);
@@ -239,6 +259,10 @@ Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int w
     on_pointer(parts->window, x, y);
     parts->events.focused = glfwGetWindowAttrib(parts->window, GLFW_FOCUSED) == GLFW_TRUE;
     return std::unique_ptr<Window>(new Window(std::move(parts)));
+}
+
+void Window::on_lost_screen(void (*leave)() noexcept) noexcept {
+    leave_lost_screen = leave;
 }
 
 const WindowEvents& Window::poll() {

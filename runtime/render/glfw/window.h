@@ -59,6 +59,10 @@ class Window {
     [[nodiscard]] static Expected<std::unique_ptr<Window>> create(const std::string& title,
                                                                   int width, int height);
 
+    /// Called once in whichever thread finds that the screen is gone (the X server has ended); the program ends when it returns, for no
+    /// call of Xlib's comes back from there. Null: it ends at once.
+    static void on_lost_screen(void (*leave)() noexcept) noexcept;
+
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
     ~Window();
