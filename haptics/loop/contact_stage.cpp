@@ -33,7 +33,7 @@ void ContactStage::take_touches(const ProxyContact& contact, std::span<const Vec
         planes_[n_touches_] = {.normal_W = touch.normal_W,
                                .push_N = touch.push_m,
                                .drag_N_W = touch.drag_W,
-                               .most_drag_N = touch.hold_m};
+                               .friction_coefficient = touch.friction_coefficient};
         touches_[n_touches_++] = {touch.solid, touch.normal_W, touch.push_m, 0.0};
     }
     if (n_touches_ == 0) {
@@ -93,7 +93,6 @@ Vector3 ContactStage::damp(double N_per_m) noexcept {
     for (DampedPlane& plane : planes) {
         plane.push_N *= N_per_m;
         plane.drag_N_W *= N_per_m;
-        plane.most_drag_N *= N_per_m;
     }
     return compute_contact_damping(planes);
 }

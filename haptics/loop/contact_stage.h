@@ -9,8 +9,8 @@
 // Thread: haptic loop. Cost: that of the coupling; a shaded touch 20 ns more. No allocation in `step`.
 #pragma once
 
-#include "haptics/coupling/contact_damper.h"
 #include "haptics/coupling/passivity.h"
+#include "haptics/loop/contact_damper.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
 #include "haptics/point/proxy.h"

@@ -231,7 +231,7 @@ bool HapticLoop::find_solids() noexcept {
         }
     }
     if (touch_) {
-        touch_->velocity.put(put);
+        touch_->velocity.put(put, solid_poses_W_);
     }
     for (std::size_t i = 0; touch_ && i < poses_W.size(); ++i) {
         if ((put >> i & 1U) != 0) {
@@ -371,7 +371,7 @@ void HapticLoop::forget_motion() noexcept {
     state_.tool_twist_W = Twist{};
     if (touch_) {
         touch_->proxy->reset(state_.tool_pose_W.position);
-        touch_->velocity.leave();
+        touch_->velocity.forget();
         if (touch_->effects) {
             touch_->effects->forget();
         }

@@ -126,6 +126,7 @@ class HapticLoop final : public PeriodicTask {
     template <class Passed>
     void compute_forces(const Passed& passed) noexcept;
     void add_contact() noexcept;
+    void add_touch() noexcept;
     void add_tool() noexcept;
     void turn_axles() noexcept;
     void push_bodies() noexcept;

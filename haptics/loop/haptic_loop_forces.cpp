@@ -9,11 +9,18 @@ void HapticLoop::add_contact() noexcept {
     if (touch_->contact.solid < 0) {
         touch_->coupling.leave();
         touch_->velocity.leave();
-        return;
+    } else {
+        add_touch();
     }
+    if (plan_.expects_world || axles_ || bodies_) {
+        touch_->velocity.keep(solid_poses_W_, reading_.stamp_s);
+    }
+}
+
+void HapticLoop::add_touch() noexcept {
     const Vector3& hand_W = state_.tool_pose_W.position;
-    const auto velocities_W = touch_->velocity.step(touch_->contact, solid_poses_W_,
-                                                    {velocity_, hand_W, reading_.stamp_s});
+    const auto velocities_W =
+        touch_->velocity.step(touch_->contact, solid_poses_W_, {velocity_, reading_.stamp_s});
     const ContactForce felt =
         touch_->coupling.step(touch_->contact, hand_W, velocities_W, solid_poses_W_);
     demand_.contact = felt.spring;

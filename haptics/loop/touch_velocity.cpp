@@ -19,10 +19,23 @@ std::span<const Vector3> TouchVelocity::step(const ProxyContact& contact,
     return {velocities_W_.data(), std::max<std::size_t>(touches.size(), 1)};
 }
 
-void TouchVelocity::put(std::uint32_t solids) noexcept {
+void TouchVelocity::keep(std::span<const Pose> solid_poses_W, double stamp_s) noexcept {
+    n_kept_ = std::min(solid_poses_W.size(), kept_W_.size());
+    std::copy_n(solid_poses_W.begin(), n_kept_, kept_W_.begin());
+    kept_s_ = stamp_s;
+}
+
+void TouchVelocity::put(std::uint32_t solids, std::span<const Pose> solid_poses_W) noexcept {
+    for (std::size_t i = 0; i < std::min(n_kept_, solid_poses_W.size()); ++i) {
+        if ((solids >> i & 1U) != 0) {
+            kept_W_[i] = solid_poses_W[i];
+        }
+    }
     for (Touched& touched : std::span(solids_.data(), n_solids_)) {
-        if ((solids >> static_cast<std::uint32_t>(touched.solid) & 1U) != 0) {
-            touched.solid = kNoBody;
+        const auto solid = static_cast<std::size_t>(touched.solid);
+        if ((solids >> solid & 1U) != 0 && solid < solid_poses_W.size()) {
+            touched.pose_W = solid_poses_W[solid];
+            touched.moves = false;
         }
     }
 }
@@ -41,6 +54,15 @@ void TouchVelocity::forget_left(std::span<const SolidTouch> touches) noexcept {
     n_solids_ = kept;
 }
 
+// Where the solid was in the round before, as far as that is known.
+void TouchVelocity::begin(Touched& touched, std::int32_t solid, const Pose& pose_W) const noexcept {
+    const auto index = static_cast<std::size_t>(solid);
+    touched.solid = solid;
+    touched.pose_W = index < n_kept_ ? kept_W_[index] : pose_W;
+    touched.stamp_s = kept_s_;
+    touched.moves = false;
+}
+
 // The velocity against one solid, whose matter at `place_W` is what counts.
 Vector3 TouchVelocity::follow(std::int32_t solid, const Pose& pose_W, const Vector3& place_W,
                               const Hand& hand) noexcept {
@@ -51,9 +73,7 @@ Vector3 TouchVelocity::follow(std::int32_t solid, const Pose& pose_W, const Vect
     Touched& touched = solids_[i];
     if (i == n_solids_) {
         ++n_solids_;
-        touched.solid = solid;
-        touched.pose_W = pose_W;
-        touched.moves = false;
+        begin(touched, solid, pose_W);
     }
     if (!touched.moves && !is_same(touched.pose_W, pose_W)) {
         touched.moves = true;

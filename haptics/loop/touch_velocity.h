@@ -22,33 +22,43 @@ class TouchVelocity {
     /// What the hand does in this round.
     struct Hand {
         const VelocityEstimator& velocity;  ///< stepped with its newest place
-        Vector3 position_W{Vector3::Zero()};
         double stamp_s = 0.0;
     };
 
     /// Of each active touch of `contact`, and one at least, u in metres a second. A solid without a pose stands still.
     std::span<const Vector3> step(const ProxyContact& contact, std::span<const Pose> solid_poses_W,
                                   const Hand& hand) noexcept;
-    /// Nothing is touched in this round, or the hand has jumped.
+    /// Last in each round of solids that may move: where they were, for the first round of the next touch.
+    void keep(std::span<const Pose> solid_poses_W, double stamp_s) noexcept;
+    /// Nothing is touched in this round.
     void leave() noexcept { n_solids_ = 0; }
+    /// The hand has jumped: nothing is known of the round before.
+    void forget() noexcept {
+        leave();
+        n_kept_ = 0;
+    }
     /// Solid i of bit i was put elsewhere at once: that is no movement.
-    void put(std::uint32_t solids) noexcept;
+    void put(std::uint32_t solids, std::span<const Pose> solid_poses_W) noexcept;
 
   private:
     struct Touched {
         std::int32_t solid = kNoBody;
-        Pose pose_W{};
-        double stamp_s = 0.0;  // of the round before
+        Pose pose_W{};         // in the round before
+        double stamp_s = 0.0;  // of it
         bool moves = false;    // it has moved since it is touched
         Vector3 carried_W{Vector3::Zero()};
         VelocityEstimator matter{VelocitySettings{}};
     };
     void forget_left(std::span<const SolidTouch> touches) noexcept;
+    void begin(Touched& touched, std::int32_t solid, const Pose& pose_W) const noexcept;
     [[nodiscard]] Vector3 follow(std::int32_t solid, const Pose& pose_W, const Vector3& place_W,
                                  const Hand& hand) noexcept;
 
     std::array<Touched, kMaxTouches> solids_{};  // the first n_solids_
     std::size_t n_solids_ = 0;
+    std::array<Pose, kMaxSolids> kept_W_{};  // the first n_kept_
+    std::size_t n_kept_ = 0;
+    double kept_s_ = 0.0;
     std::array<Vector3, kMaxTouches> velocities_W_{};
 };
 

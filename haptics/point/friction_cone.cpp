@@ -98,7 +98,8 @@ void FrictionCone::share_drag(std::span<const SolidTouch> before,
             }
         }
         best->drag_W += planes[i].drag;
-        best->hold_m += find_hold(planes[i]);
+        best->friction_coefficient =
+            std::max(best->friction_coefficient, find_coefficient(planes[i]));
     }
 }
 

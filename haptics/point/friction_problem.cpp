@@ -11,16 +11,11 @@ namespace {
 // A round that changes less than this, of the hand's distance, changes nothing that can be felt.
 constexpr double kSettled = 1.0e-12;
 
-// The friction circle's radius.
-double find_circle(const FrictionPlane& plane) noexcept {
-    return plane.push_m *
-           (plane.was_stuck ? plane.law.static_coefficient : plane.law.dynamic_coefficient);
-}
-
 // The drag of one plane that would be left with the slip `free` if it had none, and is pushed by `push_m`.
 void solve_plane(const Vector3& free, FrictionPlane& plane) noexcept {
     const double free_m = free.norm();
-    const double circle_m = find_circle(plane);
+    const double circle_m = plane.push_m * (plane.was_stuck ? plane.law.static_coefficient
+                                                            : plane.law.dynamic_coefficient);
     plane.stuck = !(plane.push_m > 0.0) || free_m <= circle_m;
     if (!(plane.push_m > 0.0)) {
         plane.drag.setZero();
@@ -70,8 +65,9 @@ FrictionLaw make_friction_law(const FrictionSettings& settings, double stiffness
             step_Ns_per_m > 0.0 ? settings.viscous_Ns_per_m / step_Ns_per_m : 0.0};
 }
 
-double find_hold(const FrictionPlane& plane) noexcept {
-    return plane.stuck ? find_circle(plane) : plane.drag.norm();
+double find_coefficient(const FrictionPlane& plane) noexcept {
+    return plane.stuck && plane.was_stuck ? plane.law.static_coefficient
+                                          : plane.law.dynamic_coefficient;
 }
 
 double solve_friction(const Vector3& hand, std::span<FrictionPlane> planes,

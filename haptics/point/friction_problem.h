@@ -56,8 +56,8 @@ struct FrictionPlane {
     Vector3 drag{Vector3::Zero()};  ///< out: f_i
 };
 
-/// The radius of the circle that the plane's drag is in: the viscous part of one that slides is in it.
-[[nodiscard]] double find_hold(const FrictionPlane& plane) noexcept;
+/// Of what is held at rest the static one, else the dynamic one.
+[[nodiscard]] double find_coefficient(const FrictionPlane& plane) noexcept;
 
 /// Fills in what each plane does. Returns the largest change of the last round, metres: 0 when it is solved exactly.
 double solve_friction(const Vector3& hand, std::span<FrictionPlane> planes,

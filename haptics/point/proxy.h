@@ -23,8 +23,7 @@ struct SolidTouch {
     double push_m = 0.0;  ///< how far the plane holds the proxy off the hand, 0 or more
     Vector3 drag_W{
         Vector3::Zero()};  ///< metres along the plane that friction holds the proxy off the hand
-    double hold_m =
-        0.0;  ///< longest that friction lets `drag_W` become at this push; 0 without friction
+    double friction_coefficient = 0.0;  ///< that holds here now, at rest or sliding
     /// Where the solid has taken the place that the proxy had at the end of the last step.
     Vector3 anchor_W{Vector3::Zero()};
 };

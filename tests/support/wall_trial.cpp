@@ -1,7 +1,7 @@
 #include "tests/support/wall_trial.h"
 
-#include "haptics/coupling/contact_damper.h"
 #include "haptics/coupling/virtual_coupling.h"
+#include "haptics/loop/contact_damper.h"
 #include "tests/support/linear_wall.h"
 
 #include <algorithm>

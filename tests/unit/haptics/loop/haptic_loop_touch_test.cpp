@@ -13,7 +13,7 @@ using namespace fulcrum;
 
 namespace {
 
-// A floor at height zero, frictionless; it names no planes.
+// A floor at height zero, frictionless.
 class FloorProxy final : public Proxy {
   public:
     void reset(const Vector3& hand_W) noexcept override {
@@ -26,8 +26,9 @@ class FloorProxy final : public Proxy {
         const double height_m = poses_W[0].position.y();
         const bool touches = hand_W.y() < height_m;
         contact_ = {touches ? Vector3(hand_W.x(), height_m, hand_W.z()) : hand_W,
-                    touches ? 0 : kNoBody, 0,
+                    touches ? 0 : kNoBody, touches ? 1 : 0,
                     touches ? Vector3(0, 1, 0) : Vector3(Vector3::Zero())};
+        contact_.touches[0] = {.solid = 0, .push_m = std::max(height_m - hand_W.y(), 0.0)};
         return contact_;
     }
 

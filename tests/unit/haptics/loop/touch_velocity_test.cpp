@@ -35,7 +35,9 @@ struct Moving {
         estimator.step(at_W, now_s);
     }
     std::span<const Vector3> feel(const ProxyContact& contact, std::span<const Pose> poses_W) {
-        return touch.step(contact, poses_W, {estimator, at_W, now_s});
+        const auto felt = touch.step(contact, poses_W, {estimator, now_s});
+        touch.keep(poses_W, now_s);
+        return felt;
     }
     Vector3 velocity_W;
     double now_s = 0.0;
@@ -99,6 +101,22 @@ TEST_CASE("touch velocity: a hand that goes along with a solid has none, however
     CHECK(most < 1.0e-9);
 }
 
+TEST_CASE("touch velocity: a touch that flickers knows the solid's from its first round on") {
+    Moving hand(Vector3(0.3, 0.0, 0.0));
+    std::array<Pose, 1> poses{Pose::at(hand.at_W)};
+    hand.touch.keep(poses, hand.now_s);
+    for (int i = 0; i < 50; ++i) {
+        hand.move();
+        poses[0].position = hand.at_W;
+        if (i % 5 == 4) {
+            hand.touch.leave();
+            hand.touch.keep(poses, hand.now_s);
+        } else {
+            CHECK(hand.feel(touching(hand.at_W), poses)[0].norm() < 1.0e-9);
+        }
+    }
+}
+
 TEST_CASE(
     "touch velocity: a solid that is put elsewhere has not moved, nor one that is touched anew") {
     Moving hand(Vector3(0.0, -0.1, 0.0));
@@ -109,10 +127,10 @@ TEST_CASE(
     };
     (void)feel();
     poses[0].position.x() = 0.5;
-    hand.touch.put(1U);
+    hand.touch.put(1U, poses);
     CHECK(feel() == hand.estimator.velocity());
     CHECK(feel() == hand.estimator.velocity());
-    hand.touch.leave();
+    hand.touch.forget();
     poses[0].position.x() = 0.7;
     CHECK(feel() == hand.estimator.velocity());
     // Where nobody has said that it was put, it has come so fast, from the first round on.
@@ -131,7 +149,7 @@ TEST_CASE("touch velocity: a step of a hand's encoder is no blow against a solid
         const Vector3 at_W(std::round(1.4 * std::sin(20.0 * now_s)) * kEncoder_m, 0.0, 0.0);
         poses[0].position.x() = 0.003 * now_s;
         hand.step(at_W, now_s);
-        const Vector3 felt = touch.step(touching(at_W), poses, {hand, at_W, now_s})[0];
+        const Vector3 felt = touch.step(touching(at_W), poses, {hand, now_s})[0];
         REQUIRE((i < 20 || std::abs(felt.x()) < 0.003 + 1.5 * kEncoder_m / kLongestWindow_s));
     }
 }
