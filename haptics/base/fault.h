@@ -39,5 +39,7 @@ constexpr Fault& operator|=(Fault& a, Fault b) noexcept {
 
 /// A stop, this hand's or another's: the force fades and stays away until somebody lifts it.
 inline constexpr Fault kStops = Fault::emergency_stop | Fault::other_stopped;
+/// The force itself was too much for the hand.
+inline constexpr Fault kThrown = Fault::hand_too_fast | Fault::too_much_energy;
 
 }  // namespace fulcrum

@@ -11,6 +11,7 @@ namespace {
 // Scaling to a limit and squaring round; what stays this much below it is under the limit by any rounding. No command may lie
 // between, for the last check would silence it.
 constexpr double kBelowLimit = 1.0 - 1.0e-12;
+constexpr double kArrived = 1.0e-6;  // newtons and newton metres together
 constexpr double kShortestPeriod_s = 1.0 / kMostRate_Hz;
 constexpr double kLongestPeriod_s = 1.0 / 1000.0;
 
@@ -77,6 +78,7 @@ SafetyGate::SafetyGate(const SafetySettings& settings, double period_s) noexcept
 
 void SafetyGate::reset() noexcept {
     output_D_ = Wrench{};
+    rest_counts_ = true;
     enter(GatePhase::waiting);
 }
 
@@ -156,6 +158,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s,
 
 // Chooses the phase of this call.
 void SafetyGate::judge(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept {
+    rest_counts_ = rest_counts_ && !any(faults_ & kThrown);
     // An emergency stop wins over everything and stays; a fade under way goes on from where it is.
     if (any(faults_ & kStops) && phase_ != GatePhase::stopped) {
         if (phase_ == GatePhase::fading) {
@@ -178,12 +181,15 @@ void SafetyGate::judge(const Wrench& commanded, double dt_s, double hand_m_per_s
     }
     if (phase_ == GatePhase::waiting) {
         if (may_rise(commanded, dt_s, hand_m_per_s)) {
+            opened_at_rest_ = calm_cycles_ < settings_.engage_cycles;
+            rest_counts_ = true;
             enter(GatePhase::rising);
         }
         return;
     }
     rise_age_s_ += dt_s;
-    if (phase_ == GatePhase::rising && rise_age_s_ > settings_.soft_start_s) {
+    // One that a resting hand has opened is open when the force has come, however long that takes.
+    if (phase_ == GatePhase::rising && rise_age_s_ > settings_.soft_start_s && !opened_at_rest_) {
         phase_ = GatePhase::open;
     }
 }
@@ -195,8 +201,9 @@ bool SafetyGate::may_rise(const Wrench& commanded, double dt_s, double hand_m_pe
                       (torque_per_force_m_ == 0.0 ||
                        commanded.torque.norm() < settings_.engage_below_N * torque_per_force_m_);
     calm_cycles_ = calm ? calm_cycles_ + 1 : 0;
-    rested_s_ = hand_m_per_s <= settings_.rest_speed_m_per_s ? rested_s_ + dt_s : 0.0;
-    return calm_cycles_ >= settings_.engage_cycles || rested_s_ >= settings_.rest_s;
+    rested_s_ = hand_m_per_s < settings_.rest_speed_m_per_s ? rested_s_ + dt_s : 0.0;
+    return calm_cycles_ >= settings_.engage_cycles ||
+           (rest_counts_ && rested_s_ >= settings_.rest_s);
 }
 
 // rising and open: towards the limited command, no faster than the slew and soft-start laws allow.
@@ -207,6 +214,9 @@ void SafetyGate::follow(const Wrench& limited, double dt_s) noexcept {
     output_D_.force = approached(output_D_.force, limited.force, reach_N, growth_N);
     output_D_.torque = approached(output_D_.torque, limited.torque, reach_N * torque_per_force_m_,
                                   growth_N * torque_per_force_m_);
+    const double left =
+        (output_D_.force - limited.force).norm() + (output_D_.torque - limited.torque).norm();
+    opened_at_rest_ = opened_at_rest_ && left > kArrived;
 }
 
 // fading and stopped: a straight line from the force at the fault to zero.

@@ -2,7 +2,8 @@
 // and finite.
 //
 //   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row: rising. So too, whatever is commanded, where
-//             the hand has rested below rest_speed for rest_s without a fault: a force that is there from the start comes in softly
+//             the hand has rested below rest_speed for rest_s without a fault: a force that is there from the start comes in softly. Not
+//             after a hand that was too fast or given too much: what did that must become small first
 //   rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt: then open
 //   open      |f_k - f_(k-1)| <= max_slew dt  (rising keeps this law too)
 //   fading    any fault: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then waiting; each call
@@ -109,6 +110,8 @@ class SafetyGate {
     double rise_age_s_ = 0.0;
     int calm_cycles_ = 0;
     double rested_s_ = 0.0;
+    bool rest_counts_ = true;      // a hand that rests opens it
+    bool opened_at_rest_ = false;  // so what is commanded may be large
 };
 
 }  // namespace fulcrum

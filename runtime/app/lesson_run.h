@@ -182,7 +182,7 @@ class LessonRun {
     [[nodiscard]] double fade_shown_s() const;
     /// True while the device gives no poses or takes no forces.
     [[nodiscard]] bool device_is_lost() const;
-    /// True while a force waits at any gate for its hand to rest.
+    /// True while a force or a torque waits at any gate for its hand to rest.
     [[nodiscard]] bool holds_back() const;
     /// What has happened to the hand's device since the last call, a sentence; empty when nothing has.
     [[nodiscard]] std::string take_device_notice();

@@ -251,8 +251,12 @@ bool LessonRun::device_is_lost() const {
 bool LessonRun::holds_back() const {
     const auto waits = [](const HandDevice& device, const HapticState& state,
                           const SafetySettings& safety) {
+        const double least_Nm = safety.engage_below_N * safety.max_torque_Nm / safety.max_force_N;
+        const bool asks = state.commanded_W.force.norm() >= safety.engage_below_N ||
+                          (device.device().traits().max_torque_Nm > 0.0 && least_Nm > 0.0 &&
+                           state.commanded_W.torque.norm() >= least_Nm);
         return device.renders_force() && state.gate == GatePhase::waiting && !any(state.faults) &&
-               state.commanded_W.force.norm() >= safety.engage_below_N;
+               asks;
     };
     bool any_waits = waits(*hand_, channels_.state_for_lesson.value(), limits_of(0));
     for (std::size_t i = 0; i < more_hands_.size(); ++i) {

@@ -86,7 +86,7 @@ TEST_CASE("safety: engagement counts what is commanded, and a fault starts the c
 }
 
 TEST_CASE("safety: a force that is there from the start comes in softly at a hand that rests") {
-    constexpr double kRests = 0.05;
+    constexpr double kRests = 0.0499;
     const auto hold = [](SafetyGate& gate, double hand_m_per_s, int n, Fault fault = Fault::none) {
         Wrench out{};
         for (int i = 0; i < n; ++i) {
@@ -123,6 +123,40 @@ TEST_CASE("safety: a force that is there from the start comes in softly at a han
     gate.reset();
     CHECK(hold(gate, kRests, 499) == 0.0);
     CHECK(hold(gate, kRests, 3) > 0.0);
+    // What threw the hand must become small first.
+    for (const Fault thrown : {Fault::hand_too_fast, Fault::too_much_energy}) {
+        (void)hold(gate, kRests, 200, thrown);
+        CHECK(hold(gate, kRests, 3000) == 0.0);
+        pass(gate, along_x(0.0), 5);
+        CHECK(hold(gate, kRests, 2) > 0.0);
+    }
+}
+
+TEST_CASE(
+    "safety: at a hand that rests a force comes softly to its end, whatever the soft start's "
+    "time") {
+    for (const auto& [rise_N_per_s, time_s] : {std::pair{0.5, 2.0}, {5.0, 0.0}, {2.0, 1.0}}) {
+        SafetySettings settings;
+        settings.soft_start_N_per_s = rise_N_per_s;
+        settings.soft_start_s = time_s;
+        REQUIRE(validate(settings));
+        SafetyGate gate(settings);
+        double before_N = 0.0;
+        for (int i = 0; i < 12'000; ++i) {
+            const double now_N = gate.pass(along_x(4.5), Fault::none, kDt_s, 0.0).force.x();
+            REQUIRE(now_N - before_N <= rise_N_per_s * kDt_s + kRounding);
+            before_N = now_N;
+        }
+        CHECK(before_N == Approx(4.5));
+        CHECK(gate.phase() == GatePhase::open);
+    }
+    // With a speed of zero no rest opens it.
+    SafetySettings never;
+    never.rest_speed_m_per_s = 0.0;
+    SafetyGate gate(never);
+    for (int i = 0; i < 2000; ++i) {
+        REQUIRE(gate.pass(along_x(4.5), Fault::none, kDt_s, 0.0).force.x() == 0.0);
+    }
 }
 
 TEST_CASE("safety: the soft start lasts its time to the end, and a long pause is no part of it") {
