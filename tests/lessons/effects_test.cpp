@@ -164,8 +164,8 @@ namespace {
 long memory_of(const Sandbox& sandbox, const std::string& stage, const std::string& bodies) {
     sandbox.write("solids/lesson.lua",
                   "local L = lesson { id = \"solids\", title = \"T\", level = \"A1\" }\n"
-                  "local function block(world, name, radius)\n"
-                  "  world:body { name = name, model = \"box\", radius = radius, solid = true,\n"
+                  "local function thing(world, name, model)\n"
+                  "  world:body { name = name, model = model, solid = true,\n"
                   "               material = \"sandpaper\", at = { 0, 0.2, 0 } }\n"
                   "end\n"
                   "function L:start(world)\n" +
@@ -183,10 +183,11 @@ long memory_of(const Sandbox& sandbox, const std::string& stage, const std::stri
 
 TEST_CASE("solids: bodies of one model share its mesh, and those of one material its relief") {
     const Sandbox sandbox;
-    const char* one = "block(world, \"a\", 0.05)";
+    const char* one = "thing(world, \"a\", \"apple\")";
     const char* same =
-        "block(world, \"a\", 0.05) block(world, \"b\", 0.05) block(world, \"c\", 0.05)";
-    const char* other = "block(world, \"a\", 0.05) block(world, \"b\", 0.04)";
+        "thing(world, \"a\", \"apple\") thing(world, \"b\", \"apple\") thing(world, \"c\", "
+        "\"apple\")";
+    const char* other = "thing(world, \"a\", \"apple\") thing(world, \"b\", \"egg\")";
     const long mesh = memory_of(sandbox, "proxy", one);
     CHECK(memory_of(sandbox, "proxy", same) == mesh);
     CHECK(2 * memory_of(sandbox, "proxy", other) > 3 * mesh);
