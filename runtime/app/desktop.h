@@ -22,7 +22,7 @@ struct Desktop {
     [[nodiscard]] static Expected<Desktop> open(const Places& places, bool with_sound,
                                                 const VoiceSettings& voice);
 
-    /// Waits until the next frame of the lesson is due, whatever the picture does, and lets the sound go on by the time that has passed.
+    /// Waits until it is time to look again, twice in a frame of a lesson and whatever the picture does, and lets the sound go on by the time that has passed.
     void finish_frame();
     /// Plays what a frame asked for; a body without a sound of its own makes the common one.
     void play(const std::vector<std::string>& names);

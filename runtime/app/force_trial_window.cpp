@@ -56,8 +56,9 @@ class TrialScreen {
         }
         if (events.button_press[0]) {
             const auto spot = desktop_.picture->spot_at(events.press_x_px, events.press_y_px);
-            if (spot && *spot >= 0 && *spot < static_cast<int>(choices_.size())) {
-                chosen_ = *spot;
+            if (spot && spot->choice >= 0 && spot->choice < static_cast<int>(choices_.size()) &&
+                choices_[static_cast<std::size_t>(spot->choice)] == spot->said) {
+                chosen_ = spot->choice;
                 answer();
             }
         }

@@ -99,13 +99,14 @@ void LessonInput::choose(int step) {
     chosen_ = chosen_ == kTypingSpot ? (step > 0 ? 0 : n - 1) : (chosen_ + step + n) % n;
 }
 
-void LessonInput::pick(int spot) {
+void LessonInput::pick(int spot, const std::string& said) {
     swallows_click_ = true;
     if (spot == kTypingSpot) {
         wants_choices_ = asked();
         return;
     }
-    if (asked() && spot < static_cast<int>(choices_.size())) {
+    if (asked() && spot < static_cast<int>(choices_.size()) &&
+        choices_[static_cast<std::size_t>(spot)].said == said) {
         chosen_ = spot;
         give_answer();
     }

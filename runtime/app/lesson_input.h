@@ -56,8 +56,8 @@ class LessonInput {
         stop_.watch_gate(run_ != nullptr && run_->gate() == GatePhase::stopped);
     }
 
-    /// A place of the picture was clicked: kTypingSpot, or a choice.
-    void pick(int spot);
+    /// A place of the picture was clicked: kTypingSpot, or a choice that said this there. One that is offered no more means nothing.
+    void pick(int spot, const std::string& said);
     static constexpr int kTypingSpot = -1;
 
     /// What is typed, and what may be chosen; without pictures.

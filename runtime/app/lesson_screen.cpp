@@ -19,7 +19,7 @@ constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are loo
 // For what the disk still has to keep when a play is over.
 constexpr double kStorePatience_s = 15.0;
 constexpr double kHelp_s = 15.0;        // how long a level says how to move
-constexpr double kLongestStep_s = 0.1;  // of keys that are held, when the picture stalled
+constexpr double kLongestStep_s = 0.1;  // of keys that are held, when the program stood still
 // A frame waits so long for Lua before it shows what there is.
 constexpr double kAnswerPatience_s = 0.004;
 
@@ -72,6 +72,7 @@ void LessonScreen::begin() {
     files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
                                       run_->process().files_read()));
     say_all(desktop_.picture->load_lesson(run_->description(), request_.folder));
+    (void)desktop_.picture->take_notices();  // of other lessons, which the list has shown
     if (desktop_.sound) {
         desktop_.sound->set_stream(run_->touch_sound());
     }
@@ -182,11 +183,10 @@ void LessonScreen::take_input(const WindowEvents& events) {
     if (ear_ && ear_->take_keys(events)) {
         desktop_.hush();
     }
-    const auto picked = events.button_press[0] && run_ && error_.empty()
-                            ? desktop_.picture->spot_at(events.press_x_px, events.press_y_px)
-                            : std::nullopt;
-    if (picked) {
-        input_.pick(*picked);
+    if (events.button_press[0] && run_ && error_.empty()) {
+        if (const auto spot = desktop_.picture->spot_at(events.press_x_px, events.press_y_px)) {
+            input_.pick(spot->choice, spot->said);
+        }
     }
     const double now_s = monotonic_now_s();
     const double dt_s = std::clamp(now_s - polled_s_, 0.0, kLongestStep_s);

@@ -27,7 +27,7 @@ PictureThread::~PictureThread() {
         const std::scoped_lock lock(mutex_);
         ends_ = true;
     }
-    wanted_changed_.notify_one();
+    work_came_.notify_one();
     thread_.join();
 }
 
@@ -41,19 +41,20 @@ void PictureThread::run(const Places& places) {
     made_.notify_one();
     while (picture) {
         std::unique_lock lock(mutex_);
-        wanted_changed_.wait(lock, [&] { return ends_ || wanted_ || !works_.empty(); });
+        work_came_.wait(lock, [&] { return ends_ || wanted_ || !works_.empty(); });
+        if (ends_) {
+            break;
+        }
         if (!works_.empty()) {
             const Work work = std::move(works_.front());
             works_.pop_front();
             lock.unlock();
             work(**picture);
-        } else if (wanted_ && !ends_) {
+        } else {
             const Wanted wanted = *std::exchange(wanted_, std::nullopt);
             lock.unlock();
             draw(**picture, wanted);
-            shown();
-        } else {
-            break;
+            swap(**picture, wanted.view);
         }
     }
     // What it made in the context goes before that.
@@ -63,13 +64,17 @@ void PictureThread::run(const Places& places) {
 
 void PictureThread::draw(Picture& picture, const Wanted& wanted) {
     picture.draw(wanted.view, wanted.width_px, wanted.height_px);
-    const std::scoped_lock lock(mutex_);
-    answer_boxes_ = picture.answer_boxes();
 }
 
-void PictureThread::shown() {
+// From now on a click means what is seen.
+void PictureThread::swap(const Picture& picture, const View& view) {
     window_.swap();
     const std::scoped_lock lock(mutex_);
+    answer_boxes_ = picture.answer_boxes();
+    choices_.clear();
+    for (const ViewChoice& choice : view.choices) {
+        choices_.push_back(choice.said);
+    }
     ++n_shown_;
 }
 
@@ -82,7 +87,7 @@ void PictureThread::ask(Work work) {
             done.set_value();
         });
     }
-    wanted_changed_.notify_one();
+    work_came_.notify_one();
     done.get_future().wait();
 }
 
@@ -92,7 +97,7 @@ void PictureThread::show(View view) {
         const std::scoped_lock lock(mutex_);
         wanted_ = std::move(wanted);
     }
-    wanted_changed_.notify_one();
+    work_came_.notify_one();
 }
 
 Image PictureThread::show_and_read(View view) {
@@ -101,7 +106,7 @@ Image PictureThread::show_and_read(View view) {
     ask([&](Picture& picture) {
         draw(picture, wanted);
         image = window_.read_back(wanted.width_px, wanted.height_px);
-        shown();
+        swap(picture, wanted.view);
     });
     return image;
 }
@@ -117,7 +122,7 @@ void PictureThread::load_models(std::vector<std::string> names,
                 std::ranges::move(told, std::back_inserter(notices_));
             });
     }
-    wanted_changed_.notify_one();
+    work_came_.notify_one();
 }
 
 std::vector<std::string> PictureThread::load_lesson(const LessonDescription& lesson,
@@ -140,13 +145,16 @@ MenuLayout PictureThread::menu_layout(const View& view) {
     return layout;
 }
 
-std::optional<int> PictureThread::spot_at(double x_px, double y_px) const {
+std::optional<PictureSpot> PictureThread::spot_at(double x_px, double y_px) const {
     const std::scoped_lock lock(mutex_);
     const auto found =
         std::ranges::find_if(answer_boxes_, [&](const Box& box) { return box.holds(x_px, y_px); });
-    return found == answer_boxes_.end()
-               ? std::nullopt
-               : std::optional(static_cast<int>(found - answer_boxes_.begin()) - 1);
+    if (found == answer_boxes_.end()) {
+        return std::nullopt;
+    }
+    const auto choice = static_cast<int>(found - answer_boxes_.begin()) - 1;
+    const auto index = static_cast<std::size_t>(std::max(choice, 0));
+    return PictureSpot{choice, choice >= 0 && index < choices_.size() ? choices_[index] : ""};
 }
 
 std::uint64_t PictureThread::n_shown() const {

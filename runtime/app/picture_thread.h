@@ -19,6 +19,12 @@
 
 namespace fulcrum::runtime {
 
+/// What a click on the answer means.
+struct PictureSpot {
+    int choice = -1;   ///< -1: the line to type in
+    std::string said;  ///< of the choice, as it was seen
+};
+
 class PictureThread {
   public:
     /// Takes the window's context; waits until the picture is made. The window outlives it.
@@ -40,8 +46,8 @@ class PictureThread {
     [[nodiscard]] std::vector<std::string> take_notices();
     /// Where the cards of a view's list of lessons are drawn; waits for the frame that is drawn.
     [[nodiscard]] MenuLayout menu_layout(const View& view);
-    /// What of the answer was at this place of the picture that is shown: a choice, or -1 for the line to type in; nothing elsewhere.
-    [[nodiscard]] std::optional<int> spot_at(double x_px, double y_px) const;
+    /// What of the answer is at this place of the picture that is shown; nothing elsewhere.
+    [[nodiscard]] std::optional<PictureSpot> spot_at(double x_px, double y_px) const;
     /// Draws that view, shows it, and gives its pixels; waits for it.
     [[nodiscard]] Image show_and_read(View view);
     /// How many views have been shown.
@@ -56,14 +62,14 @@ class PictureThread {
     };
     explicit PictureThread(Window& window) : window_(window) {}
     void run(const Places& places);
-    void draw(Picture& picture, const Wanted& wanted);
-    void shown();
+    static void draw(Picture& picture, const Wanted& wanted);
+    void swap(const Picture& picture, const View& view);
     /// Done by the other thread, in order, before the next view; waits until it is done.
     void ask(Work work);
 
     Window& window_;
     mutable std::mutex mutex_;
-    std::condition_variable wanted_changed_;
+    std::condition_variable work_came_;
     std::condition_variable made_;
     // Under the mutex.
     std::optional<Wanted> wanted_;
@@ -71,7 +77,8 @@ class PictureThread {
     bool ends_ = false;
     std::optional<Expected<void>> started_;
     std::vector<std::string> notices_;
-    std::vector<Box> answer_boxes_;
+    std::vector<Box> answer_boxes_;  // of the picture that is shown
+    std::vector<std::string> choices_;
     std::uint64_t n_shown_ = 0;
 
     std::thread thread_;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# slow_screen.sh PROGRAM SHIM: on a screen that takes 200 ms a picture the lesson, and with it the hand's force, goes on at its own rate.
+# slow_screen.sh PROGRAM SHIM: on a screen that takes 200 ms a picture the lesson goes on at its own rate.
 set -euo pipefail
 program=$1
 shim=$(realpath "$2")

@@ -30,7 +30,14 @@ void watch_for_lost_screen() {
         reinterpret_cast<Handler (*)(Handler)>(::dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
     if (set_handler != nullptr) {
         set_handler([](void* /*display*/) -> int {
-            if (const auto leave = leave_lost_screen.exchange(nullptr); leave != nullptr) {
+            // Another thread that finds it too waits for the first one's end.
+            static std::atomic_flag is_leaving;
+            if (is_leaving.test_and_set()) {
+                while (true) {
+                    ::pause();
+                }
+            }
+            if (const auto leave = leave_lost_screen.load(); leave != nullptr) {
                 leave();
             }
             ::_exit(1);
