@@ -8,13 +8,12 @@
 #pragma once
 
 #include "haptics/handover/messages.h"
-#include "haptics/link/spoiled_arm.h"
 
 #include <cstdint>
 
 namespace fulcrum::runtime {
 
-/// Rounds of the hands.
+/// Rounds of the first hand.
 struct FeltRounds {
     std::uint64_t all = 0;
     std::uint64_t possible = 0;  ///< in which a force can be felt

@@ -119,7 +119,9 @@ std::optional<FoundBefore> KeptCheck::read() const {
     const bool is_same = take_line(text) == kMark && take_line(text) == key_;
     const auto at = to_number(take_line(text));
     const auto n_said = to_number(take_line(text));
-    if (!is_same || !at || !n_said || std::cmp_not_equal(text.size(), *n_said)) {
+    std::tm parts{};
+    const bool is_time = at && ::localtime_r(&*at, &parts) != nullptr;
+    if (!is_same || !is_time || !n_said || std::cmp_not_equal(text.size(), *n_said)) {
         return std::nullopt;
     }
     return FoundBefore{std::string(text), static_cast<std::time_t>(*at)};

@@ -5,7 +5,7 @@
 await_arm() {
     port=
     for _ in $(seq 100); do
-        port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$1")
+        port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$1" 2>/dev/null) || true
         [[ -n $port ]] && return
         sleep 0.1
     done

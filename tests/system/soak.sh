@@ -17,8 +17,8 @@ for ((i = 1; i < times; ++i)); do
     [[ $(hash_of 11) == "$first" ]] || { echo "soak.sh: seed 11 gives another run the ${i}th time" >&2; exit 1; }
 done
 [[ $(hash_of 12) != "$first" ]] || { echo "soak.sh: seeds 11 and 12 give the same run" >&2; exit 1; }
-# Longer ones, of a lesson that pulls all the time and of two with things to be touched.
-for long in "kite 4" "textures 6" "solar-system 4"; do
+# Longer ones: seeds that once found something (with another course of the hand), and two of lessons with things to be touched.
+for long in "kite 4" "kite 6" "gravity 7" "textures 6" "solar-system 4"; do
     read -r lesson seed <<<"$long"
     "$fulcrum" soak --lesson "$lesson" --seed "$seed" --seeds 1 --seconds 60 >"$home/long.log" || { cat "$home/long.log" >&2; exit 1; }
 done
