@@ -218,6 +218,15 @@ RunRequest make_soak_request(const std::filesystem::path& folder, const std::str
     return request;
 }
 
+HeadlessSettings make_soak_settings(double seconds) {
+    HeadlessSettings settings;
+    settings.end_s = seconds;
+    settings.afterglow_s = seconds;
+    settings.nobody_answers_s = 2.0 * seconds;
+    settings.shows_prints = false;
+    return settings;
+}
+
 Expected<SoakRun> soak_once(const Installation& installation, const std::string& lesson,
                             std::uint64_t seed, double seconds, const SiteLimits& site) {
     const auto folder = find_lesson(installation.places, lesson);
@@ -242,11 +251,7 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     }
     spoiler.begin((*run)->plan().haptic.expects_world);
     StopLifter lifter(**run);
-    HeadlessSettings settings;
-    settings.end_s = seconds;
-    settings.afterglow_s = seconds;
-    settings.nobody_answers_s = 2.0 * seconds;
-    settings.shows_prints = false;
+    HeadlessSettings settings = make_soak_settings(seconds);
     settings.spoiler = &spoiler;
     DeadlineWatch deadlines;
     settings.deadlines = &deadlines;
@@ -302,14 +307,10 @@ Expected<void> tell_lateness(const Installation& installation, const std::string
     if (!run) {
         return tl::unexpected(run.error());
     }
-    HeadlessSettings settings;
-    settings.end_s = seconds;
-    settings.afterglow_s = seconds;
-    settings.nobody_answers_s = 2.0 * seconds;
-    settings.shows_prints = false;
-    return run_in_real_time(**run, settings).map([&](const HeadlessOutcome& outcome) {
-        std::printf("%-13s in real time: %s\n", lesson.c_str(), outcome.pace.c_str());
-    });
+    return run_in_real_time(**run, make_soak_settings(seconds))
+        .map([&](const HeadlessOutcome& outcome) {
+            std::printf("%-13s in real time: %s\n", lesson.c_str(), outcome.pace.c_str());
+        });
 }
 
 Expected<void> tell_all_lateness(const Installation& installation,
