@@ -66,11 +66,6 @@ Pushes damp_pushes(std::span<const DampedPlane> planes) noexcept {
     return pushes;
 }
 
-Vector3 drawn_in(const Vector3& v, double most) noexcept {
-    const double length = compute_length(v);
-    return length > most ? Vector3(v * (most / length)) : v;
-}
-
 bool has_friction(const DampedPlane& plane) noexcept {
     return plane.friction_coefficient > 0.0 || plane.drag_N_W.squaredNorm() > 0.0;
 }
@@ -93,8 +88,8 @@ Vector3 compute_contact_damping(std::span<const DampedPlane> planes) noexcept {
                 plane.velocity_W - plane.normal_W.dot(plane.velocity_W) * plane.normal_W;
             const double viscous_N = std::max(
                 compute_length(plane.drag_N_W) - plane.friction_coefficient * plane.push_N, 0.0);
-            added_W += drawn_in(plane.drag_N_W - plane.damping_Ns_per_m / n_rough * along_W,
-                                plane.friction_coefficient * pushes[i] + viscous_N) -
+            added_W += shorten<3>(plane.drag_N_W - plane.damping_Ns_per_m / n_rough * along_W,
+                                  plane.friction_coefficient * pushes[i] + viscous_N) -
                        plane.drag_N_W;
         }
     }

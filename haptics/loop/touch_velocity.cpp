@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace fulcrum {
+
 std::span<const Vector3> TouchVelocity::step(const ProxyContact& contact,
                                              std::span<const Pose> solid_poses_W,
                                              const Hand& hand) noexcept {

@@ -53,17 +53,13 @@ void PictureThread::run(const Places& places) {
         } else {
             const Wanted wanted = *std::exchange(wanted_, std::nullopt);
             lock.unlock();
-            draw(**picture, wanted);
+            (*picture)->draw(wanted.view, wanted.width_px, wanted.height_px);
             swap(**picture, wanted.view);
         }
     }
     // What it made in the context goes before that.
     picture = tl::unexpected(Error{});
     window_.release_context();
-}
-
-void PictureThread::draw(Picture& picture, const Wanted& wanted) {
-    picture.draw(wanted.view, wanted.width_px, wanted.height_px);
 }
 
 // From now on a click means what is seen.
@@ -104,7 +100,7 @@ Image PictureThread::show_and_read(View view) {
     const Wanted wanted{std::move(view), window_.width_px(), window_.height_px()};
     Image image;
     ask([&](Picture& picture) {
-        draw(picture, wanted);
+        picture.draw(wanted.view, wanted.width_px, wanted.height_px);
         image = window_.read_back(wanted.width_px, wanted.height_px);
         swap(picture, wanted.view);
     });

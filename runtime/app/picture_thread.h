@@ -62,7 +62,6 @@ class PictureThread {
     };
     explicit PictureThread(Window& window) : window_(window) {}
     void run(const Places& places);
-    static void draw(Picture& picture, const Wanted& wanted);
     void swap(const Picture& picture, const View& view);
     /// Done by the other thread, in order, before the next view; waits until it is done.
     void ask(Work work);
