@@ -224,18 +224,18 @@ Wrench ArmServer::brake() noexcept {
             turning * (-share * torque_.compute_damping(turning * dt_s_, dt_s_, most_turning))};
 }
 
-// After packets that were lost the arm catches up with the program no faster than the program's own gate goes; this side's gate knows its
-// own limits alone. What waits must be calm by itself, and what fades follows nothing.
-Wrench ArmServer::approach(const Wrench& wanted) const noexcept {
+// After packets that were lost the arm catches up with the program no faster than the program's own gate goes: in force this side's gate
+// takes its slew; in torque the ratio of the two may be another than here.
+Vector3 ArmServer::approach(const Vector3& torque_Nm) const noexcept {
     if (gate_.phase() != GatePhase::rising && gate_.phase() != GatePhase::open) {
-        return wanted;
+        // What waits must be calm by itself, and what fades follows nothing.
+        return torque_Nm;
     }
-    const double reach_N = command_.max_slew_N_per_s * std::clamp(dt_s_, 0.0, kLongestStep_s);
     const double torque_per_force_m =
         command_.max_force_N > 0.0 ? command_.max_torque_Nm / command_.max_force_N : 0.0;
-    return {applied_D_.force + shorten<3>(wanted.force - applied_D_.force, reach_N),
-            applied_D_.torque +
-                shorten<3>(wanted.torque - applied_D_.torque, reach_N * torque_per_force_m)};
+    const double reach_Nm =
+        command_.max_slew_N_per_s * torque_per_force_m * std::clamp(dt_s_, 0.0, kLongestStep_s);
+    return applied_D_.torque + shorten<3>(torque_Nm - applied_D_.torque, reach_Nm);
 }
 
 // Whatever was asked for, what leaves here has passed the gate.
@@ -251,12 +251,14 @@ void ArmServer::drive() noexcept {
                          torque_.hold_back(asked.torque, turn_way_.velocity() * dt_s_)}
                 : asked;
         // The brake has no limit of its own: what finds no room below the program's stays a debt, and is braked later.
-        wanted = approach(
-            {shorten<3>(left.force + braked.force, command_.max_force_N * kUnderLimit),
-             shorten<3>(left.torque + braked.torque, command_.max_torque_Nm * kUnderLimit)});
+        wanted = {shorten<3>(left.force + braked.force, command_.max_force_N * kUnderLimit),
+                  approach(shorten<3>(left.torque + braked.torque,
+                                      command_.max_torque_Nm * kUnderLimit))};
+        gate_.limit_slew(command_.max_slew_N_per_s);
     }
     const GatePhase before = gate_.phase();
     const bool acted = !is_zero(applied_D_);
+    now_.asked_D = wanted;
     applied_D_ = gate_.pass(wanted, faults_, dt_s_);
     faults_ |= gate_.faults();
     const bool was_open = before == GatePhase::rising || before == GatePhase::open;

@@ -60,6 +60,7 @@ struct ArmServerStatus {
     Fault faults = Fault::none;  ///< of the last step
     GatePhase gate = GatePhase::waiting;
     Pose pose_D{};
+    Wrench asked_D{};  ///< of the gate
     Wrench applied_D{};
     double round_trip_s = 0.0;
     double offset_s = 0.0;  ///< program's clock minus ours
@@ -108,7 +109,7 @@ class ArmServer final : public PeriodicTask {
     void forget_holder() noexcept;
     void count_energy() noexcept;
     [[nodiscard]] Wrench brake() noexcept;
-    [[nodiscard]] Wrench approach(const Wrench& wanted) const noexcept;
+    [[nodiscard]] Vector3 approach(const Vector3& torque_Nm) const noexcept;
     void drive() noexcept;
     void tell_state() noexcept;
     void publish() noexcept;

@@ -17,7 +17,6 @@ constexpr double kFelt_N = 0.05;
 constexpr double kFelt_Nm = 0.005;
 constexpr double kGone_N = 1.0e-9;
 constexpr double kGone_Nm = 1.0e-9;
-constexpr double kRounding = 1.0e-9;
 
 SimulatedArmSettings spoiled_settings() {
     SimulatedArmSettings settings = make_desktop_arm();
@@ -50,28 +49,6 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) noexcept {
 }
 
 }  // namespace
-
-FeltLimits felt_limits(const SafetySettings& gate) noexcept {
-    return {gate.max_force_N, gate.max_torque_Nm, gate.max_slew_N_per_s,
-            gate.max_slew_N_per_s * gate.max_torque_Nm / gate.max_force_N};
-}
-
-FeltLimit find_broken(const FeltLimits& limits, const Wrench& before, const Wrench& now,
-                      double dt_s) noexcept {
-    const auto keeps = [](double value, double most) { return value <= most + kRounding; };
-    if (!keeps(now.force.norm(), limits.force_N)) {
-        return FeltLimit::force;
-    }
-    if (!keeps(now.torque.norm(), limits.torque_Nm)) {
-        return FeltLimit::torque;
-    }
-    if (!keeps((now.force - before.force).norm(), limits.slew_N_per_s * dt_s)) {
-        return FeltLimit::slew;
-    }
-    return keeps((now.torque - before.torque).norm(), limits.slew_Nm_per_s * dt_s)
-               ? FeltLimit::none
-               : FeltLimit::torque_slew;
-}
 
 SpoiledArm::Arm::Arm(SpoiledModel model, LatestValue<HandTarget>& target) {
     if (model == SpoiledModel::wam) {
@@ -158,12 +135,7 @@ void SpoiledArm::keep_limits(const SafetySettings& run) noexcept {
 
 // A force goes through two gates, the program's and the arm's: each keeps all of its own, and the second what the first one told.
 void SpoiledArm::watch_limits(const SafetySettings& run) noexcept {
-    const FeltLimits programs = felt_limits(run);
-    const FeltLimits arms = felt_limits(own_);
-    limits_.force_N = std::min(programs.force_N, arms.force_N);
-    limits_.torque_Nm = std::min(programs.torque_Nm, arms.torque_Nm);
-    limits_.slew_N_per_s = std::min(programs.slew_N_per_s, arms.slew_N_per_s);
-    limits_.slew_Nm_per_s = std::min(programs.slew_Nm_per_s, arms.slew_Nm_per_s);
+    limits_ = least_of(felt_limits(run), felt_limits(own_));
 }
 
 double SpoiledArm::draw_first(SplitMix& chance) noexcept {
@@ -337,7 +309,8 @@ bool SpoiledArm::is_gone() const noexcept {
 void SpoiledArm::watch(double now_s) noexcept {
     const Wrench felt_D = arm_.written_D;
     const double dt_s = now_s + asleep_s_ - std::exchange(watched_s_, now_s + asleep_s_);
-    if (const FeltLimit broken = find_broken(limits_, felt_D_, felt_D, dt_s);
+    const ArmServerStatus& status = server_.status();
+    if (const FeltLimit broken = judge_.judge(limits_, {status.asked_D, felt_D, status.gate, dt_s});
         broken != FeltLimit::none) {
         ++counts_.broken_limits;
         counts_.broken = counts_.broken == FeltLimit::none ? broken : counts_.broken;
@@ -351,10 +324,10 @@ void SpoiledArm::watch(double now_s) noexcept {
     ++counts_.rounds;
     counts_.felt_rounds += counts_.force_N > kFelt_N ? 1 : 0;
     counts_.turned_rounds += counts_.torque_Nm > kFelt_Nm ? 1 : 0;
-    counts_.may_feel = !must_fade(spoil_) && !any(server_.status().faults);
+    counts_.may_feel = !must_fade(spoil_) && !any(status.faults);
     counts_.stamps_back = arm_.stamps_back;
     // A hand that goes too fast, or is given too much, shuts the arm's gate; the program hears of that as of a command that is not followed.
-    if (any(server_.status().faults & (Fault::hand_too_fast | Fault::too_much_energy))) {
+    if (any(status.faults & (Fault::hand_too_fast | Fault::too_much_energy))) {
         guarded_s_ = now_s;
     }
     counts_.quiet_s =

@@ -16,6 +16,7 @@
 #include "haptics/device/simulated/random_hand.h"
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/link/arm_server.h"
+#include "haptics/link/felt_judge.h"
 #include "haptics/link/link_device.h"
 #include "haptics/link/link_faults.h"
 #include "haptics/link/memory_channel.h"
@@ -66,30 +67,6 @@ inline constexpr std::size_t kSpoils = static_cast<std::size_t>(Spoil::sleep) + 
     return spoil == Spoil::cut || spoil == Spoil::no_pose || spoil == Spoil::no_number ||
            spoil == Spoil::stuck_sensor || spoil == Spoil::motor || spoil == Spoil::arm_stop;
 }
-
-/// What the hand may feel.
-struct FeltLimits {
-    double force_N = kHardForceCap_N;
-    double torque_Nm = kHardTorqueCap_Nm;
-    double slew_N_per_s = SafetySettings{}.max_slew_N_per_s;
-    double slew_Nm_per_s = SafetySettings{}.max_slew_N_per_s;
-};
-
-/// What a gate with these settings lets through.
-[[nodiscard]] FeltLimits felt_limits(const SafetySettings& gate) noexcept;
-
-/// Which of them was passed.
-enum class FeltLimit : std::uint8_t { none, force, slew, torque, torque_slew };
-[[nodiscard]] constexpr const char* name_of(FeltLimit limit) noexcept {
-    constexpr const char* kNames[] = {"nothing", "a force above its limit",
-                                      "a force that changed too fast", "a torque above its limit",
-                                      "a torque that changed too fast"};
-    static_assert(std::size(kNames) == static_cast<std::size_t>(FeltLimit::torque_slew) + 1);
-    return kNames[static_cast<std::size_t>(limit)];
-}
-/// Which limit a wrench breaks that comes `dt_s` after another.
-[[nodiscard]] FeltLimit find_broken(const FeltLimits& limits, const Wrench& before,
-                                    const Wrench& now, double dt_s) noexcept;
 
 /// What was seen so far.
 struct SpoiledCounts {
@@ -233,6 +210,7 @@ class SpoiledArm final : public Device {
     bool saw_gone_ = false;
     double watched_s_ = -0.001;  // the arm's last round, on the arm's clock
     FeltLimits limits_{};
+    FeltJudge judge_{};
     Wrench felt_D_{};
     SpoiledCounts counts_{};
 };

@@ -87,18 +87,21 @@ inline constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStag
 
 /// Limits of the last gate; checked by `validate`, never above the hard caps.
 struct SafetySettings {
-    double max_force_N = 5.0;              ///< 0.5 to 10
-    double max_torque_Nm = 0.3;            ///< 0 to 1
-    double max_slew_N_per_s = 500.0;       ///< 10 to 5000
-    double engage_below_N = 0.2;           ///< commanded force must stay below this ...
-    int engage_cycles = 5;                 ///< ... for this many cycles before any force is given
-    double rest_speed_m_per_s = 0.05;      ///< or the hand's speed below this, 0 to 0.2 ...
-    double rest_s = 0.5;                   ///< ... for this long, 0.2 to 60
-    double soft_start_N_per_s = 5.0;       ///< the rise allowed ...
-    double soft_start_s = 2.0;             ///< ... for this long after that
-    double fade_s = 0.1;                   ///< any fault: to zero within this time, 0.01 to 0.5
-    double command_timeout_s = 0.1;        ///< a lesson or world older than this is stale
-    double device_timeout_s = 0.02;        ///< a pose older than this is stale
+    double max_force_N = 5.0;          ///< 0.5 to 10
+    double max_torque_Nm = 0.3;        ///< 0 to 1
+    double max_slew_N_per_s = 500.0;   ///< 10 to 5000
+    double engage_below_N = 0.2;       ///< commanded force must stay below this ...
+    int engage_cycles = 5;             ///< ... for this many cycles before any force is given
+    double rest_speed_m_per_s = 0.05;  ///< or the hand's speed below this, 0 to 0.2 ...
+    double rest_s = 0.5;               ///< ... for this long, 0.2 to 60
+    double soft_start_N_per_s = 5.0;   ///< the rise allowed ...
+    double soft_start_s = 2.0;         ///< ... for this long after that
+    double fade_s = 0.1;               ///< any fault: to zero within this time, 0.01 to 0.5
+    double max_transient_N = 4.0;      ///< what may swing faster than the slew lets it, 0 to 5 ...
+    double transient_Ns = 0.02;        ///< ... for no more than this impulse, 0.001 to 0.05
+    double transient_N2s = 0.06;       ///< ... and this integral of its square, 0.001 to 0.5
+    double command_timeout_s = 0.1;    ///< a lesson or world older than this is stale
+    double device_timeout_s = 0.02;    ///< a pose older than this is stale
     double max_hand_speed_m_per_s = 10.0;  ///< a faster change of pose is an invalid jump
     double max_felt_speed_m_per_s =
         3.0;                    ///< a faster hand feels no force (hand_guard.h), 0.5 to 10

@@ -11,7 +11,9 @@ namespace {
 // Scaling to a limit and squaring round; what stays this much below it is under the limit by any rounding. No command may lie
 // between, for the last check would silence it.
 constexpr double kBelowLimit = 1.0 - 1.0e-12;
-constexpr double kArrived = 1.0e-6;  // newtons and newton metres together
+constexpr double kArrived = 1.0e-6;     // newtons and newton metres together
+constexpr double kSoftEnd = 3.0;        // from two thirds of a bound on a transient becomes less
+constexpr double kForgotten = 1.0e-40;  // (N s)^2 and N^2 s; what goes on to shrink becomes slow
 constexpr double kShortestPeriod_s = 1.0 / kMostRate_Hz;
 constexpr double kLongestPeriod_s = 1.0 / 1000.0;
 
@@ -28,6 +30,11 @@ SafetySettings clamped(const SafetySettings& asked) noexcept {
     s.max_force_N = clamped(asked.max_force_N, 0.0, kHardForceCap_N, 0.0);
     s.max_torque_Nm = clamped(asked.max_torque_Nm, 0.0, kHardTorqueCap_Nm, 0.0);
     s.max_slew_N_per_s = clamped(asked.max_slew_N_per_s, 0.0, 5000.0, 0.0);
+    // Who wants slower changes wants smaller blows.
+    const double share = std::min(s.max_slew_N_per_s / SafetySettings{}.max_slew_N_per_s, 1.0);
+    s.max_transient_N = share * clamped(asked.max_transient_N, 0.0, kMostTransient_N, 0.0);
+    s.transient_Ns = share * clamped(asked.transient_Ns, 0.0, 0.05, 0.0);
+    s.transient_N2s = share * share * clamped(asked.transient_N2s, 0.0, 0.5, 0.0);
     s.engage_below_N = clamped(asked.engage_below_N, 0.0, 1.0, 0.0);
     s.engage_cycles = std::max(asked.engage_cycles, 1);
     s.rest_speed_m_per_s = clamped(asked.rest_speed_m_per_s, 0.0, 0.2, 0.0);
@@ -57,6 +64,22 @@ Vector3 approached(const Vector3& from, const Vector3& target, double reach,
     return shortened(next, from.norm() + growth);
 }
 
+// The largest s of 0 to 1 with |from + s way| <= most, where |from| <= most.
+double find_share_within(const Vector3& from, const Vector3& way, double most) noexcept {
+    const double a = way.squaredNorm();
+    const double b = from.dot(way);
+    const double c = std::max(most * most * kBelowLimit - from.squaredNorm(), 0.0);
+    return (from + way).squaredNorm() > most * most * kBelowLimit
+               ? std::clamp((std::sqrt(b * b + a * c) - b) / a, 0.0, 1.0)
+               : 1.0;
+}
+
+// What `whole` has of `part`, in its own direction: none of what is against it, no more than all.
+Vector3 find_part_along(const Vector3& whole, const Vector3& part) noexcept {
+    const double square = whole.squaredNorm();
+    return square > 0.0 ? Vector3(whole * std::clamp(part.dot(whole) / square, 0.0, 1.0)) : whole;
+}
+
 }  // namespace
 
 Wrench compute_last_check(const Wrench& wrench, double max_force_N, double max_torque_Nm) noexcept {
@@ -69,11 +92,18 @@ Wrench compute_last_check(const Wrench& wrench, double max_force_N, double max_t
 }
 
 SafetyGate::SafetyGate(const SafetySettings& settings, double period_s) noexcept
-    : settings_(clamped(settings)),
+    : asked_(settings),
+      settings_(clamped(settings)),
       period_s_(clamped(period_s, kShortestPeriod_s, kLongestPeriod_s, kLongestPeriod_s)) {
     if (settings_.max_force_N > 0.0) {
         torque_per_force_m_ = settings_.max_torque_Nm / settings_.max_force_N;
     }
+}
+
+void SafetyGate::limit_slew(double max_slew_N_per_s) noexcept {
+    SafetySettings slower = asked_;
+    slower.max_slew_N_per_s = std::min(asked_.max_slew_N_per_s, max_slew_N_per_s);
+    settings_ = clamped(slower);
 }
 
 void SafetyGate::reset() noexcept {
@@ -98,28 +128,34 @@ void SafetyGate::enter(GatePhase phase) noexcept {
     rested_s_ = 0.0;
     rise_age_s_ = 0.0;
     fade_age_s_ = 0.0;
-    fade_from_D_ = output_D_;
+    fade_from_D_ = {find_part_along(output_D_.force, base_D_.force), output_D_.torque};
+    base_D_ = fade_from_D_;
 }
 
 double SafetyGate::find_most_N(double dt_s) const noexcept {
-    return lets_through(dt_s) ? std::min(settings_.max_force_N,
-                                         compute_length(output_D_.force) + find_growth_N(dt_s))
-                              : 0.0;
+    const double transient_N = stays_rising(dt_s) ? 0.0 : settings_.max_transient_N;
+    return lets_through(dt_s)
+               ? std::min(settings_.max_force_N,
+                          compute_length(base_D_.force) + find_growth_N(dt_s) + transient_N)
+               : 0.0;
 }
 
 double SafetyGate::find_most_Nm(double dt_s) const noexcept {
     return lets_through(dt_s)
-               ? std::min(settings_.max_torque_Nm, compute_length(output_D_.torque) +
+               ? std::min(settings_.max_torque_Nm, compute_length(base_D_.torque) +
                                                        torque_per_force_m_ * find_growth_N(dt_s))
                : 0.0;
 }
 
+bool SafetyGate::stays_rising(double dt_s) const noexcept {
+    return phase_ == GatePhase::rising &&
+           rise_age_s_ + std::min(dt_s, kLongestStep_s) <= settings_.soft_start_s;
+}
+
 double SafetyGate::find_growth_N(double dt_s) const noexcept {
     // As `follow` lets it grow.
-    const double rise_s = std::min(dt_s, kLongestStep_s);
-    const bool stays_rising =
-        phase_ == GatePhase::rising && rise_age_s_ + rise_s <= settings_.soft_start_s;
-    return rise_s * (stays_rising ? settings_.soft_start_N_per_s : settings_.max_slew_N_per_s);
+    return std::min(dt_s, kLongestStep_s) *
+           (stays_rising(dt_s) ? settings_.soft_start_N_per_s : settings_.max_slew_N_per_s);
 }
 
 Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s,
@@ -139,6 +175,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s,
                    shortened(commanded_D.torque, settings_.max_torque_Nm * kBelowLimit)};
     }
     judge(commanded_D, rise_dt_s, hand_m_per_s);
+    forget(rise_dt_s);
     switch (phase_) {
         case GatePhase::waiting:
             output_D_ = Wrench{};
@@ -208,15 +245,52 @@ bool SafetyGate::may_rise(const Wrench& commanded, double dt_s, double hand_m_pe
 
 // rising and open: towards the limited command, no faster than the slew and soft-start laws allow.
 void SafetyGate::follow(const Wrench& limited, double dt_s) noexcept {
+    if (!(dt_s > 0.0)) {
+        return;
+    }
     const double reach_N = settings_.max_slew_N_per_s * dt_s;
     const double growth_N =
         phase_ == GatePhase::rising ? settings_.soft_start_N_per_s * dt_s : reach_N;
-    output_D_.force = approached(output_D_.force, limited.force, reach_N, growth_N);
-    output_D_.torque = approached(output_D_.torque, limited.torque, reach_N * torque_per_force_m_,
-                                  growth_N * torque_per_force_m_);
+    base_D_.force = approached(base_D_.force, limited.force, reach_N, growth_N);
+    base_D_.torque = approached(base_D_.torque, limited.torque, reach_N * torque_per_force_m_,
+                                growth_N * torque_per_force_m_);
+    output_D_ = base_D_;
+    if (phase_ == GatePhase::open) {
+        output_D_.force += ring(limited.force - base_D_.force, dt_s);
+    }
     const double left =
-        (output_D_.force - limited.force).norm() + (output_D_.torque - limited.torque).norm();
+        (base_D_.force - limited.force).norm() + (base_D_.torque - limited.torque).norm();
     opened_at_rest_ = opened_at_rest_ && left > kArrived;
+}
+
+void SafetyGate::forget(double dt_s) noexcept {
+    const Vector3 impulse_Ns = impulse_Ns_ * (1.0 - dt_s / kImpulseMemory_s);
+    const double ringing_N2s = ringing_N2s_ * (1.0 - dt_s / kRingingMemory_s);
+    impulse_Ns_ = impulse_Ns.squaredNorm() > kForgotten ? impulse_Ns : Vector3(Vector3::Zero());
+    ringing_N2s_ = ringing_N2s > kForgotten ? ringing_N2s : 0.0;
+}
+
+// t, of what is commanded beyond b; I and Q count it.
+Vector3 SafetyGate::ring(const Vector3& beyond_N, double dt_s) noexcept {
+    if (!(settings_.transient_Ns > 0.0) || !(settings_.transient_N2s > 0.0)) {
+        return Vector3::Zero();
+    }
+    Vector3 t_N = shortened(beyond_N, settings_.max_transient_N);
+    // Less where a bound is near, so that it doesn't end at once; of the impulse's where it would grow.
+    const double pushed =
+        impulse_Ns_.dot(t_N) > 0.0 ? compute_length(impulse_Ns_) / settings_.transient_Ns : 0.0;
+    const double rung = ringing_N2s_ / settings_.transient_N2s;
+    t_N *= std::clamp(kSoftEnd * (1.0 - pushed), 0.0, 1.0) *
+           std::clamp(kSoftEnd * (1.0 - rung), 0.0, 1.0);
+    // And never beyond one.
+    const double left_N2s = std::max(settings_.transient_N2s - ringing_N2s_, 0.0);
+    if (const double square_N2s = t_N.squaredNorm() * dt_s; square_N2s > left_N2s) {
+        t_N *= std::sqrt(left_N2s / square_N2s);
+    }
+    t_N *= find_share_within(impulse_Ns_, t_N * dt_s, settings_.transient_Ns);
+    impulse_Ns_ += t_N * dt_s;
+    ringing_N2s_ += t_N.squaredNorm() * dt_s;
+    return t_N;
 }
 
 // fading and stopped: a straight line from the force at the fault to zero.

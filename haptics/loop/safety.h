@@ -1,20 +1,35 @@
-// The last gate before the device: whatever was computed, what leaves here is small, slow to change
-// and finite.
+// The last gate before the device: whatever was computed, what leaves here is small, finite, and slow to change but for what is short.
 //
 //   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row: rising. So too, whatever is commanded, where
 //             the hand has rested below rest_speed for rest_s without a fault: a force that is there from the start comes in softly. Not
 //             after a hand that was too fast or given too much: what did that must become small first
 //   rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt: then open
-//   open      |f_k - f_(k-1)| <= max_slew dt  (rising keeps this law too)
-//   fading    any fault: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then waiting; each call
-//             counts as one period at least, so that no clock can hold a force that should go
+//   open      f = b + t: what lasts, b, goes towards what is commanded with |b_k - b_(k-1)| <= max_slew dt (rising has this part alone, and so
+//             has a torque); t is what is commanded less b, |t| <= max_transient, softly less as I or Q come near their bounds:
+//             I <- I (1 - dt / kImpulseMemory_s) + t dt      |I| <= transient_Ns
+//             Q <- Q (1 - dt / kRingingMemory_s) + |t|^2 dt   Q <= transient_N2s
+//             In other phases t = 0, and I and Q are forgotten as fast; no fault nor stop empties them
+//   fading    any fault: t ends at once, and what of b points along f is f_0: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then
+//             waiting; each call counts as one period at least, so that no clock can hold a force that should go
 //   stopped   emergency stop: the same fade, then 0 until `reset`
+// So a tap, short and to both sides, arrives as it was commanded: b follows it by a little, and t is the rest. A push that lasts comes with
+// the slew: |t| / max_slew after it was commanded t is nothing, for b is there. With a slew below the usual one the bounds of t are as much
+// less, that of Q by the square.
+// What a hand gets at most beyond b, which alone obeys the slew (figures of the settings as they ship):
+//   at any time    max_transient                                                            4 N; f itself stays below max_force
+//   in a blow      transient_Ns from rest, twice that from one side to the other            0.02 and 0.04 N s
+//   of energy      (2 transient_Ns)^2 / 2 m to a mass m that rests and is free              18 mJ to a handle of 45 g, 0.8 mJ to a hand of 1 kg
+//   a buzz         sqrt(transient_N2s (1 / kRingingMemory_s + 1 / D)) in the root mean      0.45 N for ever, 0.51 N in any second;
+//                  square of any D seconds, at any frequency                                one of 4 N is softer from 3 ms on
+// Proof. Summed from call i to j the recursions give sum t dt = I_j - I_i + sum I dt / kImpulseMemory_s: in a time that is short against the
+// memory, at most 2 transient_Ns; and sum |t|^2 dt <= transient_N2s (1 + D / kRingingMemory_s). `ring` scales t so that both bounds hold after
+// each call, whatever was commanded, and b + t lies between b and what is commanded, both below max_force.
 // Limits scale the whole vector, so that its direction stays: f <- f min(1, max_force / |f|). Torque
 // obeys the same laws with every rate multiplied by max_torque / max_force. A call longer than
 // kLongestStep_s rises no further than one of that length. The last instruction compares with the
 // limits again and gives zero if they do not hold.
 //
-// Thread: haptic loop. Cost: about 30 ns.
+// Thread: haptic loop. Cost: about 50 ns.
 // Source: engagement below 0.2 N and a rise over two seconds are CHAI3D's practice; the rest is ours.
 #pragma once
 
@@ -30,8 +45,11 @@ namespace fulcrum {
 
 inline constexpr double kHardForceCap_N = 10.0;   ///< no setting, plan or bug passes this
 inline constexpr double kHardTorqueCap_Nm = 1.0;  ///< likewise
+inline constexpr double kMostTransient_N = 5.0;  ///< likewise of what may come faster than the slew
 inline constexpr double kInsaneForce_N =
     1.0e6;  ///< a stage that asks for more than this has failed
+inline constexpr double kImpulseMemory_s = 0.05;  ///< longer than any blow
+inline constexpr double kRingingMemory_s = 0.3;   ///< longer than a tap rings
 inline constexpr double kLongestStep_s =
     0.01;  ///< a longer call does not rise further than this one
 
@@ -56,6 +74,9 @@ class SafetyGate {
     [[nodiscard]] Wrench pass(
         const Wrench& commanded_D, Fault faults, double dt_s,
         double hand_m_per_s = std::numeric_limits<double>::infinity()) noexcept;
+
+    /// From now on no faster than that either, newtons a second; transients are as much less.
+    void limit_slew(double max_slew_N_per_s) noexcept;
 
     /// Leaves `stopped` (or any other phase) for `waiting` with zero force: a person has said that
     /// it is safe.
@@ -91,21 +112,28 @@ class SafetyGate {
     [[nodiscard]] bool lets_through(double dt_s) const noexcept {
         return (phase_ == GatePhase::rising || phase_ == GatePhase::open) && dt_s >= 0.0;
     }
-    // How much the force may grow in the next `pass` of an open gate.
+    [[nodiscard]] bool stays_rising(double dt_s) const noexcept;
+    // How much b may grow in the next `pass` of an open gate.
     [[nodiscard]] double find_growth_N(double dt_s) const noexcept;
     void judge(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept;
     [[nodiscard]] bool may_rise(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept;
     void follow(const Wrench& limited, double dt_s) noexcept;
+    void forget(double dt_s) noexcept;
+    [[nodiscard]] Vector3 ring(const Vector3& beyond_N, double dt_s) noexcept;
     void fade(double dt_s) noexcept;
 
-    SafetySettings settings_;
+    SafetySettings asked_;
+    SafetySettings settings_;  // as they are kept
     double period_s_;
     double torque_per_force_m_ =
         0.0;  // max_torque / max_force: the torque law in the force law's units
     GatePhase phase_ = GatePhase::waiting;
     Fault faults_ = Fault::none;
-    Wrench output_D_{};     // what the last call gave
-    Wrench fade_from_D_{};  // output when the fade began
+    Wrench output_D_{};                    // what the last call gave
+    Wrench base_D_{};                      // b: what lasts of it
+    Vector3 impulse_Ns_{Vector3::Zero()};  // I
+    double ringing_N2s_ = 0.0;             // Q
+    Wrench fade_from_D_{};                 // f_0
     double fade_age_s_ = 0.0;
     double rise_age_s_ = 0.0;
     int calm_cycles_ = 0;

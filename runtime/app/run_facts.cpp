@@ -115,6 +115,9 @@ void add_limits(const FactSources& run, Facts& facts) {
     facts.add("limit.plan N", safety.max_force_N);
     facts.add("limit.plan Nm", safety.max_torque_Nm);
     facts.add("limit.slew N/s", safety.max_slew_N_per_s);
+    facts.add("limit.transient N", safety.max_transient_N);
+    facts.add("limit.transient N s", safety.transient_Ns);
+    facts.add("limit.transient N2 s", safety.transient_N2s);
     facts.add("limit.soft start N/s", safety.soft_start_N_per_s);
     facts.add("limit.soft start s", safety.soft_start_s);
     facts.add("limit.engage below N", safety.engage_below_N);

@@ -1,6 +1,7 @@
 // Lessons made by chance from the binding table, each played by a process of its own, and judged by what the record of its run says, as
 // `soak` judges what an arm is given. FULCRUM_PLAYED_LESSONS says how many.
 #include "haptics/device/replay/recorded_traits.h"
+#include "haptics/link/felt_judge.h"
 #include "haptics/link/spoiled_arm.h"
 #include "tests/lessons/program.h"
 #include "tests/support/generated_lesson.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr double kFelt_N = 0.05;
 constexpr double kFelt_Nm = 0.005;
 constexpr double kGone = 1.0e-9;
+constexpr double kRound_s = 0.001;
 
 double number_of(const Record& record, std::string_view name) {
     const auto found = find_fact(record.header, name);
@@ -28,6 +30,9 @@ FeltLimits limits_in(const Record& record) {
     gate.max_force_N = number_of(record, "limit.plan N");
     gate.max_torque_Nm = number_of(record, "limit.plan Nm");
     gate.max_slew_N_per_s = number_of(record, "limit.slew N/s");
+    gate.max_transient_N = number_of(record, "limit.transient N");
+    gate.transient_Ns = number_of(record, "limit.transient N s");
+    gate.transient_N2s = number_of(record, "limit.transient N2 s");
     return felt_limits(gate);
 }
 
@@ -42,16 +47,16 @@ bool is_felt(const RecordSample& sample) {
 /// Empty where each round keeps all limits, no force is there before the gate opens, and one that must fade is gone in time.
 std::string find_trouble(const Record& record) {
     const FeltLimits limits = limits_in(record);
+    FeltJudge judge;
     const RecordSample* before = nullptr;
     double shut_s = 0.0;  // since when nothing may be felt but what fades
     for (const RecordSample& sample : record.samples) {
         const std::string at = " at " + std::to_string(sample.time_s) + " s";
-        if (before != nullptr) {
-            const FeltLimit broken = find_broken(limits, before->applied_W, sample.applied_W,
-                                                 sample.time_s - before->time_s);
-            if (broken != FeltLimit::none) {
-                return name_of(broken) + at;
-            }
+        const double dt_s = before == nullptr ? kRound_s : sample.time_s - before->time_s;
+        if (const FeltLimit broken =
+                judge.judge(limits, {sample.commanded_W, sample.applied_W, sample.gate, dt_s});
+            broken != FeltLimit::none) {
+            return name_of(broken) + at;
         }
         const bool is_shut = sample.gate != GatePhase::rising && sample.gate != GatePhase::open;
         shut_s = is_shut ? shut_s : sample.time_s;
@@ -110,16 +115,19 @@ void play(const Sandbox& sandbox, int seed, Outcome& outcome) {
 
 TEST_CASE("lessons: a record with a force too strong, too sudden or left over is found out") {
     Record kept;
-    kept.header.facts = {
-        {"limit.plan N", "5"}, {"limit.plan Nm", "0.3"}, {"limit.slew N/s", "500"}};
+    kept.header.facts = {{"limit.plan N", "5"},           {"limit.plan Nm", "0.3"},
+                         {"limit.slew N/s", "500"},       {"limit.transient N", "4"},
+                         {"limit.transient N s", "0.02"}, {"limit.transient N2 s", "0.06"}};
     for (int i = 0; i < 400; ++i) {
         RecordSample sample;
         sample.time_s = 0.001 * i;
         sample.gate = GatePhase::open;
-        sample.applied_W = {Vector3(1.0, 0.0, 0.0), Vector3(0.1, 0.0, 0.0)};
+        const double share = std::min(0.1 * i, 1.0);
+        sample.applied_W = {Vector3(share, 0.0, 0.0), Vector3(0.1 * share, 0.0, 0.0)};
+        sample.commanded_W = sample.applied_W;
         kept.samples.push_back(sample);
     }
-    const Wrench usual = kept.samples.front().applied_W;
+    const Wrench usual = kept.samples.back().applied_W;
     const auto with = [&](const Wrench& wrench) {
         Record record = kept;
         record.samples[200].applied_W = wrench;
@@ -127,9 +135,22 @@ TEST_CASE("lessons: a record with a force too strong, too sudden or left over is
     };
     CHECK(with(usual).empty());
     CHECK(with({Vector3(5.1, 0, 0), usual.torque}).starts_with("a force above its limit"));
-    CHECK(with({Vector3(1.6, 0, 0), usual.torque}).starts_with("a force that changed too fast"));
+    CHECK(with({Vector3(-3.1, 0, 0), usual.torque}).starts_with("a force that swung too far"));
     CHECK(with({usual.force, Vector3(0.4, 0, 0)}).starts_with("a torque above its limit"));
     CHECK(with({usual.force, Vector3(0.2, 0, 0)}).starts_with("a torque that changed too fast"));
+    // More than was asked for, for good; to both sides of it; and suddenly while the gate opens.
+    Record pushed = kept;
+    Record shaken = kept;
+    Record sudden = kept;
+    for (std::size_t i = 200; i < kept.samples.size(); ++i) {
+        pushed.samples[i].applied_W.force.x() += 0.6;
+        shaken.samples[i].applied_W.force.x() += i % 2 == 0 ? 2.0 : -2.0;
+        sudden.samples[i].applied_W.force.x() += 0.6;
+        sudden.samples[i].gate = GatePhase::rising;
+    }
+    CHECK(find_trouble(pushed).starts_with("a blow of too much impulse at 0.2"));
+    CHECK(find_trouble(shaken).starts_with("a force that swung too much for too long at 0.2"));
+    CHECK(find_trouble(sudden) == "a force that changed too fast at 0.200000 s");
     for (const GatePhase shut : {GatePhase::waiting, GatePhase::fading, GatePhase::stopped}) {
         Record record = kept;
         for (RecordSample& sample : record.samples) {

@@ -135,12 +135,13 @@ TEST_CASE("link: the least of program, run, arm's settings and arm holds, of tor
     }
 }
 
-TEST_CASE("link: force and torque change no faster than the program and this side let them") {
+TEST_CASE("link: but for transients force and torque change no faster than both sides let them") {
     // What changes by more in a round than this is too fast.
     const auto find_largest = [](double own_N_per_s, double told_N_per_s, double told_N,
                                  double told_Nm) {
         ArmServerSettings own;
         own.safety.max_slew_N_per_s = own_N_per_s;
+        own.safety.max_transient_N = 0.0;
         Held held(
             {}, own,
             {.max_force_N = told_N, .max_torque_Nm = told_Nm, .max_slew_N_per_s = told_N_per_s});

@@ -175,6 +175,7 @@ TEST_CASE("safety: a gate built with absurd settings obeys the strictest of each
     absurd.max_slew_N_per_s = 1e9;
     absurd.engage_below_N = 1e9;
     absurd.soft_start_N_per_s = 1e9;
+    absurd.max_transient_N = 1e9;
     absurd.fade_s = 1e9;
     SafetyGate gate(absurd);
     // Engages below 1 N.
@@ -183,12 +184,12 @@ TEST_CASE("safety: a gate built with absurd settings obeys the strictest of each
     pass(gate, along_x(0.99), 4);
     pass(gate, along_x(0.0));
     REQUIRE(gate.phase() == GatePhase::rising);
-    // Rises by 50 N/s, slews by 5000 N/s.
+    // Rises by 50 N/s, slews by 5000 N/s, and swings by 5 N beyond.
     CHECK(pass(gate, along_x(100.0)).force.x() == Approx(0.05));
     pass(gate, along_x(0.0), 2100);
     REQUIRE(gate.phase() == GatePhase::open);
-    CHECK(pass(gate, along_x(100.0)).force.x() == Approx(5.0));
     CHECK(pass(gate, along_x(100.0)).force.x() == Approx(10.0));
+    pass(gate, along_x(100.0), 2);
     // Fades within half a second.
     CHECK(gate.pass(along_x(100.0), Fault::device_read, kDt_s).force.x() ==
           Approx(10.0 * (1.0 - kDt_s / 0.5)));
@@ -258,6 +259,9 @@ TEST_CASE("safety: each setting is accepted at its bounds and refused just past 
                             {&SafetySettings::max_torque_Nm, 0.0, 1.0},
                             {&SafetySettings::max_slew_N_per_s, 10.0, 5000.0},
                             {&SafetySettings::engage_below_N, 0.01, 1.0},
+                            {&SafetySettings::max_transient_N, 0.0, 5.0},
+                            {&SafetySettings::transient_Ns, 0.001, 0.05},
+                            {&SafetySettings::transient_N2s, 0.001, 0.5},
                             {&SafetySettings::rest_speed_m_per_s, 0.0, 0.2},
                             {&SafetySettings::rest_s, 0.2, 60.0},
                             {&SafetySettings::soft_start_N_per_s, 0.5, 50.0},
