@@ -1,5 +1,7 @@
 #include "haptics/link/spoiled_arm.h"
 
+#include "haptics/base/felt.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,8 +15,6 @@ namespace {
 constexpr double kBefore_s = 10.0;  // link time when the run begins: the link is made before
 constexpr double kRound_s = 0.001;
 constexpr double kHalfRound_s = 0.5 * kRound_s;
-constexpr double kFelt_N = 0.05;
-constexpr double kFelt_Nm = 0.005;
 constexpr double kGone_N = 1.0e-9;
 constexpr double kGone_Nm = 1.0e-9;
 
@@ -246,7 +246,7 @@ void SpoiledArm::begin(Spoil spoil, double now_s) noexcept {
     spoil_ = spoil;
     from_s_ = now_s;
     until_s_ = now_s + draw(0.3, 2.0);
-    felt_before_ = felt_D_.force.norm() > kFelt_N || felt_D_.torque.norm() > kFelt_Nm;
+    felt_before_ = felt_D_.force.norm() > kLeastFelt_N || felt_D_.torque.norm() > kLeastFelt_Nm;
     saw_gone_ = false;
     ++counts_.happened[static_cast<std::size_t>(spoil)];
     arm_.spoil = spoil;
@@ -322,8 +322,8 @@ void SpoiledArm::watch(double now_s) noexcept {
     counts_.peak_N = std::max(counts_.peak_N, counts_.force_N);
     counts_.peak_Nm = std::max(counts_.peak_Nm, counts_.torque_Nm);
     ++counts_.rounds;
-    counts_.felt_rounds += counts_.force_N > kFelt_N ? 1 : 0;
-    counts_.turned_rounds += counts_.torque_Nm > kFelt_Nm ? 1 : 0;
+    counts_.felt_rounds += counts_.force_N > kLeastFelt_N ? 1 : 0;
+    counts_.turned_rounds += counts_.torque_Nm > kLeastFelt_Nm ? 1 : 0;
     counts_.may_feel = !must_fade(spoil_) && !any(status.faults);
     counts_.stamps_back = arm_.stamps_back;
     // A hand that goes too fast, or is given too much, shuts the arm's gate; the program hears of that as of a command that is not followed.

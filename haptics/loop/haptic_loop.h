@@ -21,6 +21,7 @@
 #include "haptics/loop/axle_stage.h"
 #include "haptics/loop/body_stage.h"
 #include "haptics/loop/contact_stage.h"
+#include "haptics/loop/felt_time.h"
 #include "haptics/loop/hand_guard.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/line_stage.h"
@@ -81,6 +82,8 @@ class HapticLoop final : public PeriodicTask {
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
     /// Whether the last round left it stopped, with no force at the device.
     [[nodiscard]] bool is_still() const noexcept { return is_still_; }
+    /// For how long it was asked for something to be felt, and what became of it.
+    [[nodiscard]] const FeltTime& felt_time() const noexcept { return felt_time_; }
     /// What may add to the force, in the order of the shares that are told.
     [[nodiscard]] const std::vector<EffectSlot>& effects() const noexcept { return effects_; }
     /// The last gate's limits: the plan's, and no more than the device can give.
@@ -199,6 +202,7 @@ class HapticLoop final : public PeriodicTask {
     SceneDemand demand_{};
     Wrench applied_D_{};
     HapticState state_{};
+    FeltTime felt_time_{};
     bool tells_shares_ = false;  // somebody asks for them in this round
     ForceShares shares_{};
 };

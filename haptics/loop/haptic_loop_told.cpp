@@ -27,6 +27,7 @@ void HapticLoop::share(Effect effect, const Vector3& force_W, const Vector3& tor
 void HapticLoop::publish_state() noexcept {
     state_.tick = tick_++;
     state_.time_s = now_s_;
+    felt_time_.add(state_, dt_s_ > 0.0 ? dt_s_ : 0.0);
     channels_.state_for_world.publish(state_);
     channels_.state_for_lesson.publish(state_);
     if (channels_.shares != nullptr) {

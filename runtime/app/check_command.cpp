@@ -1,5 +1,6 @@
 // fulcrum check: what is wrong with a lesson, found without a window and without a hand.
 #include "haptics/collision/self_intersection.h"
+#include "runtime/app/felt_notes.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/kept_check.h"
@@ -183,6 +184,12 @@ int check_as_meant(const Installation& installation, LessonRun& run,
         return code;
     }
     checked.n_notes = checked.say_each(notes);
+    const int line = run.description().tests.empty() ? 0 : run.description().tests.front().line;
+    for (const Error& note :
+         notes_of_felt(run.felt_times(), line > 0 ? "lesson.lua:" + std::to_string(line)
+                                                  : std::string("lesson.lua"))) {
+        checked.n_notes += checked.say_each({to_sentence(note)});
+    }
     if (interrupted()) {
         return interrupt_exit_code();
     }

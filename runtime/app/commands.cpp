@@ -2,6 +2,7 @@
 
 #include "haptics/device/hid/hidapi/hidapi_bus.h"
 #include "runtime/app/device_list.h"
+#include "runtime/app/felt_notes.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_parts.h"
@@ -29,8 +30,10 @@ namespace fulcrum::runtime {
 namespace {
 
 // What L:test{ expect = … } may name (kTestFacts), as text.
-std::map<std::string, std::string> facts_of(const SessionResult& result) {
+std::map<std::string, std::string> facts_of(LessonRun& run) {
+    const SessionResult& result = run.session().result();
     return {{"finished", result.finished ? "true" : "false"},
+            {"felt", was_felt(run.felt_times()) ? "true" : "false"},
             {"stars", std::to_string(result.stars)},
             {"score", std::to_string(result.score)},
             {"level", std::to_string(result.level)},
@@ -39,8 +42,8 @@ std::map<std::string, std::string> facts_of(const SessionResult& result) {
             {"form_errors", std::to_string(result.form_errors)}};
 }
 
-int count_unmet(const LessonTestDescription& test, const SessionResult& result) {
-    const auto facts = facts_of(result);
+int count_unmet(const LessonTestDescription& test, LessonRun& run) {
+    const auto facts = facts_of(run);
     int unmet = 0;
     for (const auto& [name, value] : test.expect) {
         const auto fact = facts.find(name);
@@ -234,11 +237,15 @@ int test_by(const Installation& installation, const Options& options, PlayedBy b
         if (options.errors) {
             test.expect = {{"finished", "true"}};
         }
-        int unmet = count_unmet(test, run.session().result());
+        int unmet = count_unmet(test, run);
         if (unmet != 0 && !options.errors) {
             name_wrong_answers(test, talk);
         }
         unmet += tell_unknown_asked(run);
+        for (const Error& note :
+             notes_of_felt(run.felt_times(), "lesson.lua:" + std::to_string(test.line))) {
+            std::fprintf(stderr, "%s\n", to_sentence(note).c_str());
+        }
         std::printf("%s: %s by %s after %.1f s of play.\n", run.description().id.c_str(),
                     unmet == 0 ? "passed" : "failed", std::string(name_of(by)).c_str(),
                     outcome->simulated_s);

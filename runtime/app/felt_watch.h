@@ -2,11 +2,12 @@
 //
 //   can be felt   nothing is broken that must take it away, no fault is told, no stop is on, the lesson lives; and there is something to touch,
 //                 or the scene asks for a force and the gate is open: one that waits under a weight nobody can let go of
-//   felt          more than 0.05 N are on the hand
+//   felt          more than kLeastFelt_N are on the hand
 //
 // Thread: the virtual clock's. Cost: some nanoseconds a round.
 #pragma once
 
+#include "haptics/base/felt.h"
 #include "haptics/handover/messages.h"
 
 #include <cstdint>
@@ -37,18 +38,17 @@ class FeltWatch {
     void hands_stepped(const HapticState& state, double felt_N, bool may_feel,
                        bool sees_thing) noexcept {
         const bool lets_through = state.gate == GatePhase::rising || state.gate == GatePhase::open;
-        const bool asks = state.commanded_W.force.norm() > kFelt_N;
+        const bool asks = state.commanded_W.force.norm() > kLeastFelt_N;
         const bool can_be =
             may_feel && !any(state.faults) &&
             (lets_through ? sees_thing || asks : sees_thing && state.gate == GatePhase::waiting);
         ++rounds_.all;
         rounds_.possible += can_be ? 1 : 0;
-        rounds_.felt += can_be && felt_N > kFelt_N ? 1 : 0;
+        rounds_.felt += can_be && felt_N > kLeastFelt_N ? 1 : 0;
     }
     [[nodiscard]] const FeltRounds& rounds() const noexcept { return rounds_; }
 
   private:
-    static constexpr double kFelt_N = 0.05;
     FeltRounds rounds_{};
 };
 

@@ -142,6 +142,9 @@ class LessonRun {
     [[nodiscard]] const SafetySettings& limits_of(std::size_t hand) const {
         return hand == 0 ? plan_.haptic.safety : plan_.more_hands[hand - 1].safety;
     }
+    /// For how long each hand was asked to feel something, and what became of it; of one without motors: what it would have felt.
+    /// While their loops do not step.
+    [[nodiscard]] std::vector<FeltTime> felt_times() const;
     /// Keeps how it came out for this learner; without force where it was not good, in this run.
     void take_trial(std::size_t hand, const FirstUse& trial, bool asked, const RunRequest& request,
                     ProgressStore& store);

@@ -196,6 +196,19 @@ HapticState LessonRun::seen(const HandDevice& device, const HapticState& state) 
     return shown;
 }
 
+std::vector<FeltTime> LessonRun::felt_times() const {
+    std::vector<FeltTime> times;
+    for (std::size_t hand = 0; hand < n_hands(); ++hand) {
+        FeltTime time = (hand == 0 ? *haptic_loop_ : *more_hands_[hand - 1]->loop).felt_time();
+        if (!hand_at(hand).renders_force()) {
+            time.waiting_s = 0.0;
+            time.felt_s = time.asked_s - time.taken_s;
+        }
+        times.push_back(time);
+    }
+    return times;
+}
+
 void LessonRun::gather_more_hands(SessionInput& gathered) {
     for (const auto& hand : more_hands_) {
         hand->channels.state_for_lesson.take();

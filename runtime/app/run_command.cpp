@@ -1,5 +1,6 @@
 #include "runtime/app/commands.h"
 #include "runtime/app/desktop.h"
+#include "runtime/app/felt_notes.h"
 #include "runtime/app/force_trial.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
@@ -138,6 +139,9 @@ int run_without_window(const Installation& installation, const Options& options,
                 result.stars, result.attempts, result.attempts == 1 ? "answer" : "answers");
     if (outcome->interrupted) {
         std::fprintf(stderr, "Ended by a signal; what there is of the run is kept.\n");
+    }
+    for (const Error& note : notes_of_felt((*run)->felt_times(), (*run)->description().id)) {
+        std::fprintf(stderr, "%s\n", to_sentence(note).c_str());
     }
     if (const std::string unsaid = unsaid_of(**run, *outcome); !unsaid.empty()) {
         std::fprintf(stderr, "%s\n", unsaid.c_str());

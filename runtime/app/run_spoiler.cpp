@@ -1,5 +1,7 @@
 #include "runtime/app/run_spoiler.h"
 
+#include "haptics/base/felt.h"
+
 #include <limits>
 #include <utility>
 
@@ -9,7 +11,6 @@ namespace {
 constexpr double kLongestGap_s = 6.0;
 constexpr double kStarved_s = 0.05;
 constexpr double kGone_N = 1.0e-9;
-constexpr double kFelt_N = 0.05;
 constexpr double kThird = 1.0 / 3.0;  // of all runs have a killed lesson, and as many a full disk
 constexpr int kLasting = 5;           // kinds that begin and end, from world_stands on
 
@@ -67,7 +68,7 @@ void RunSpoiler::end(double force_N) noexcept {
 
 void RunSpoiler::choose(double now_s) noexcept {
     from_s_ = now_s;
-    felt_before_ = force_N_ > kFelt_N;
+    felt_before_ = force_N_ > kLeastFelt_N;
     saw_gone_ = false;
     if (spoil_ != RunSpoil::nothing) {
         spoil_ = RunSpoil::nothing;
@@ -109,7 +110,7 @@ bool RunSpoiler::kills_lesson(double now_s) noexcept {
         return false;
     }
     has_killed_ = true;
-    felt_killed_ = force_N_ > kFelt_N;
+    felt_killed_ = force_N_ > kLeastFelt_N;
     ++happened_[static_cast<std::size_t>(RunSpoil::lesson_killed)];
     return true;
 }

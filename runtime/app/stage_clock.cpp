@@ -6,7 +6,9 @@
 #include "runtime/scene/plan_hands.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <variant>
@@ -159,6 +161,7 @@ void StageClock::compare(const HapticState& state,
     hand_moved_ = hand_moved_ || place_W != first_place_W_.value_or(place_W);
     first_place_W_ = first_place_W_.value_or(place_W);
     withheld_N_.add((state.commanded_W.force - state.applied_W.force).norm());
+    felt_time_.add(state, 1.0 / plan_.haptic.rate_hz);
     force_energy_ = state.force_energy;
     torque_energy_ = state.torque_energy;
     most_points_ = std::max(most_points_, state.tool.n_points);
@@ -223,6 +226,10 @@ void StageClock::add_errors(StageFigures& figures) const {
     if (is(HapticStage::limits)) {
         figures.errors.push_back(
             {"force kept back, rms", withheld_N_.rms(), "N", "what scene and brake asked for"});
+        std::array<char, 64> asked{};
+        std::snprintf(asked.data(), asked.size(), "%.1f s in which a force was asked for",
+                      felt_time_.asked_s);
+        figures.errors.push_back({"gate shut", felt_time_.shut_s(), "s", asked.data()});
     }
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "haptics/handover/messages.h"
+#include "haptics/loop/felt_time.h"
 #include "haptics/loop/stage_listener.h"
 #include "haptics/tool/beside_task.h"
 #include "runtime/scene/analysis.h"
@@ -84,6 +85,7 @@ class StageClock final : public StageListener, public RoundListener {
     std::size_t lesson_stage_;
     Sum velocity_error_m_per_s_;
     Sum withheld_N_;
+    FeltTime felt_time_;
     std::optional<Vector3> first_place_W_;
     bool hand_moved_ = false;
     PortEnergy force_energy_{};

@@ -226,9 +226,10 @@ struct KnowledgeDescription {
     std::vector<std::pair<std::string, std::string>> rules{};  ///< as a question's
 };
 
-/// What L:test { expect = … } may name: "finished" is true or false, the others are whole numbers.
-inline constexpr std::array<std::string_view, 7> kTestFacts{
-    "finished", "stars", "score", "level", "attempts", "caught", "form_errors"};
+/// What L:test { expect = … } may name: the first two are true or false, the others are whole numbers.
+inline constexpr std::array<std::string_view, 8> kTestFacts{
+    "finished", "felt", "stars", "score", "level", "attempts", "caught", "form_errors"};
+inline constexpr std::size_t kTestFlags = 2;
 
 /// The levels of English of the Common European Framework of Reference for Languages.
 inline constexpr std::array<std::string_view, 6> kEnglishLevels{"A1", "A2", "B1", "B2", "C1", "C2"};

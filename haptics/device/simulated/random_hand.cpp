@@ -1,5 +1,6 @@
 #include "haptics/device/simulated/random_hand.h"
 
+#include "haptics/base/felt.h"
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kMostTurn_rad = 0.5;
-constexpr double kFelt_N = 0.05;
 constexpr double kBegins_s = 0.1;     // what is felt again after so long begins anew
 constexpr double kPatience_s = 0.15;  // without a force, before it tries something else
 constexpr double kMostFollow_s = 4.0;
@@ -64,7 +64,7 @@ void RandomHand::feel(double now_s, const HandTarget& planned, const HandFeeling
     felt_D_ = felt;
     sees_ = planned.sees_thing;
     thing_D_ = planned.thing_D;
-    if (!(felt.force_D.norm() > kFelt_N)) {
+    if (!(felt.force_D.norm() > kLeastFelt_N)) {
         return;
     }
     const bool begins = now_s - felt_s_ > kBegins_s;

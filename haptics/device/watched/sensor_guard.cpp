@@ -1,5 +1,7 @@
 #include "haptics/device/watched/sensor_guard.h"
 
+#include "haptics/base/felt.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,7 +52,7 @@ void SensorGuard::watch_rest(const Vector3& motion, double dt_s, const Vector3& 
         return;
     }
     // A sensor that trembles is watched while somebody would feel it; one that does not, by what a push does to it.
-    const bool is_felt = acted.norm() > kFelt_N;
+    const bool is_felt = acted.norm() > kLeastFelt_N;
     still_s_ = is_felt ? still_s_ + dt_s : 0.0;
     const bool is_pushed =
         life_.moves_at_N > 0.0 && (acted - rest_force_).norm() > life_.moves_at_N;

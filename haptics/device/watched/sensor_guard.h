@@ -1,6 +1,6 @@
 // Watches the position sensor itself: one that is frozen, and one that shakes as no hand and no handle can.
 //
-//   frozen    x_k = x_(k-1) to the bit for longer than trembles_within_s while |A| > kFelt_N, or for kAnswer_s since A has changed by
+//   frozen    x_k = x_(k-1) to the bit for longer than trembles_within_s while |A| > kLeastFelt_N, or for kAnswer_s since A has changed by
 //             more than moves_at_N: Fault::device_stale, until the position is another
 //   shaking   w = d_1 - d_0 T_1 / T_0,   |w| > a T_1 (T_0 + T_1) / 2 + 2 n (1 + T_1 / T_0)       d_i = x_k+i-1 - x_k+i-2
 //             is a turn that no handle makes, a the most acceleration, n the resolution; where one is followed by one the
@@ -36,7 +36,6 @@ struct SensorLife {
 
 class SensorGuard {
   public:
-    static constexpr double kFelt_N = 0.05;   ///< a force below this harms nobody
     static constexpr double kAnswer_s = 0.1;  ///< until a handle that is pushed has moved by a step
     static constexpr double kWindow_s = 0.02;
     static constexpr double kMostTurns = 3.0;  ///< a handle that rings at 60 Hz stays below

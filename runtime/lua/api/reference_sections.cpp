@@ -319,7 +319,9 @@ std::string general_sections() {
     }
     out +=
         kTemplates + names_sections() + materials_section() + kTests + quoted(kTestFacts) +
-        ": `finished` is true or false, the others are whole numbers. `form_errors` counts errors "
+        ": `finished` and `felt`, whether the hand felt anything, are true or false, the others "
+        "are "
+        "whole numbers. `form_errors` counts errors "
         "of form, not answers: one answer may have several. Where the lesson asks more often than "
         "`say` answers, the test ends there and has failed.\n";
     return out;

@@ -36,10 +36,12 @@ void check_expected(lua_State* lua, const std::string& name, const std::string& 
     const std::size_t first_digit = value.starts_with('-') ? 1 : 0;
     const bool is_whole = value.size() > first_digit &&
                           value.find_first_not_of("0123456789", first_digit) == std::string::npos;
-    if (name == "finished" ? !is_flag : !is_whole) {
+    const bool wants_flag = std::find(kTestFacts.begin(), kTestFacts.begin() + kTestFlags, name) !=
+                            kTestFacts.begin() + kTestFlags;
+    if (wants_flag ? !is_flag : !is_whole) {
         raise_in_lesson(lua, "test.expect." + name + " is " +
-                                 (name == "finished" ? "true or false" : "a whole number") +
-                                 "; got " + clean_text(value, 40));
+                                 (wants_flag ? "true or false" : "a whole number") + "; got " +
+                                 clean_text(value, 40));
     }
 }
 

@@ -321,3 +321,37 @@ TEST_CASE("touch teller: the audible solid that is pressed most, once a round, a
     REQUIRE(ring->pop(sample));
     CHECK(sample.impact_speed_m_per_s == Approx(0.3F));
 }
+
+TEST_CASE("felt time: what is asked for is felt, waits or was taken away, by the gate's phase") {
+    struct {
+        GatePhase gate;
+        double asked_N, sent_N;
+        FeltTime expected;
+    } const rows[] = {
+        {GatePhase::waiting, 3.0, 0.0, {.asked_s = 1.0, .waiting_s = 1.0}},
+        {GatePhase::rising, 3.0, 0.2, {.asked_s = 1.0, .felt_s = 1.0}},
+        {GatePhase::open, 3.0, 3.0, {.asked_s = 1.0, .felt_s = 1.0}},
+        {GatePhase::fading, 3.0, 1.0, {.asked_s = 1.0, .felt_s = 1.0, .taken_s = 1.0}},
+        {GatePhase::stopped, 3.0, 0.0, {.asked_s = 1.0, .taken_s = 1.0}},
+        {GatePhase::fading, 0.0, 1.0, {.felt_s = 1.0}},
+        {GatePhase::waiting, kLeastFelt_N, 0.0, {}},
+    };
+    for (const auto& row : rows) {
+        HapticState state;
+        state.gate = row.gate;
+        state.commanded_W.force.x() = row.asked_N;
+        state.applied_W.force.x() = row.sent_N;
+        FeltTime time;
+        time.add(state, 1.0);
+        CHECK(time.asked_s == row.expected.asked_s);
+        CHECK(time.felt_s == row.expected.felt_s);
+        CHECK(time.waiting_s == row.expected.waiting_s);
+        CHECK(time.taken_s == row.expected.taken_s);
+    }
+    FeltTime turned;
+    HapticState state;
+    state.commanded_W.torque.z() = -2.0 * kLeastFelt_Nm;
+    turned.add(state, 0.5);
+    CHECK(turned.asked_s == 0.5);
+    CHECK(turned.shut_s() == 0.5);
+}

@@ -1,6 +1,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/tool/tool_plan.h"
 #include "runtime/app/deadline_watch.h"
+#include "runtime/app/felt_notes.h"
 #include "runtime/app/stage_clock.h"
 #include "tests/unit/runtime/rig.h"
 
@@ -142,8 +143,10 @@ TEST_CASE("stage clock: errors are what was compared, and stand with their stage
     state.commanded_W.force = {0.0, 4.0, 0.0};
     state.applied_W.force = {0.0, 1.0, 0.0};
     state.force_energy = {-0.001, 0.002, 0.003};
+    state.gate = GatePhase::open;
     clock.compare(state, Vector3(0.1, 0.003, 0.0));
     state.applied_W.force = {0.0, 0.0, 0.0};
+    state.gate = GatePhase::waiting;
     clock.compare(state, Vector3(0.1, 0.001, 0.0));
     const Analysis analysis = clock.finish(1.0, 1.0);
     const auto& velocity = find(analysis, 1)->errors;
@@ -155,8 +158,10 @@ TEST_CASE("stage clock: errors are what was compared, and stand with their stage
     CHECK(energy[0].value == Approx(2.0));
     CHECK(energy[1].value == Approx(3.0));
     const auto& withheld = find(analysis, 3)->errors;
-    REQUIRE(withheld.size() == 1);
+    REQUIRE(withheld.size() == 2);
     CHECK(withheld[0].value == Approx(std::sqrt((9.0 + 16.0) / 2.0)));
+    CHECK(withheld[1].value == Approx(1.0 / plan.haptic.rate_hz));
+    CHECK(withheld[1].against == "0.0 s in which a force was asked for");
 }
 
 TEST_CASE("stage clock: of a tool it tells what was looked at, was off and took too long") {
@@ -304,4 +309,36 @@ TEST_CASE("deadlines: who is told to be late with nothing broken is late") {
     state.faults = Fault::hand_too_fast | Fault::emergency_stop | Fault::too_much_energy;
     watch.hands_stepped(1.0, 0.0, state, 5.0);
     CHECK(watch.n_broken() == 0);
+}
+
+TEST_CASE("felt notes: a hand that felt nothing, or little of what was asked for, is told why") {
+    struct {
+        FeltTime time;
+        const char* told;  // empty: nothing
+    } const rows[] = {
+        {{.asked_s = 0.9, .waiting_s = 0.9}, ""},
+        {{.asked_s = 10.0, .felt_s = 10.0}, ""},
+        {{.asked_s = 10.0, .felt_s = 5.0, .waiting_s = 2.0, .taken_s = 3.0}, ""},
+        {{.asked_s = 7.5, .waiting_s = 7.5},
+         "x: the hand was asked to feel a force for 7.5 s and felt none: one that is there from "
+         "the "
+         "start waits until the hand has rested for half a second; let the hand rest, or let the "
+         "force begin at nothing."},
+        {{.asked_s = 10.0, .felt_s = 4.0, .waiting_s = 1.0, .taken_s = 5.0},
+         "x: the hand was asked to feel a force for 10.0 s, and for 6.0 s of them it felt none: a "
+         "fault or a stop had taken it away; let the hand move more slowly, or ask for less "
+         "force."},
+    };
+    for (const auto& row : rows) {
+        const FeltTime hands[] = {{}, row.time};
+        const auto alone = notes_of_felt({&row.time, 1}, "x");
+        REQUIRE(alone.size() == (*row.told == '\0' ? 0 : 1));
+        const auto both = notes_of_felt(hands, "x");
+        REQUIRE(both.size() == alone.size());
+        if (!alone.empty()) {
+            CHECK(to_sentence(alone[0]) == row.told);
+            CHECK(both[0].message.starts_with("the second hand was asked"));
+        }
+        CHECK(was_felt(hands) == (row.time.felt_s > 0.0));
+    }
 }
