@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -46,25 +47,34 @@ class WorkWatch {
     std::size_t n_;
 };
 
-/// Calls work(piece), or work(piece, watch), once for each of 0 to n - 1, on `n_threads` threads at most. `work` must not throw.
-/// False where it was stopped: then some pieces are not done.
+/// Calls work(piece), or work(piece, watch), once for each of 0 to n - 1, on `n_threads` threads at most. False where it was stopped: then
+/// some pieces are not done. What a piece throws on whatever thread is thrown here, once no thread works any more.
 template <class Work>
 bool parallel_for(std::size_t n, std::size_t n_threads, const Work& work,
                   const LoadProgress& progress = {}) {
     constexpr std::size_t kChunk = 64;
     std::atomic<std::size_t> next{0};
     std::atomic<bool> is_stopped{false};
+    std::atomic<bool> has_failed{false};
+    std::exception_ptr failure;
     const auto take_chunk = [&](WorkWatch& watch) noexcept {
         const std::size_t first = next.fetch_add(kChunk, std::memory_order_relaxed);
-        for (std::size_t i = first; i < std::min(n, first + kChunk); ++i) {
-            if (!watch.goes_on()) {
-                return false;
+        try {
+            for (std::size_t i = first; i < std::min(n, first + kChunk); ++i) {
+                if (!watch.goes_on()) {
+                    return false;
+                }
+                if constexpr (std::is_invocable_v<const Work&, std::size_t, WorkWatch&>) {
+                    work(i, watch);
+                } else {
+                    work(i);
+                }
             }
-            if constexpr (std::is_invocable_v<const Work&, std::size_t, WorkWatch&>) {
-                work(i, watch);
-            } else {
-                work(i);
+        } catch (...) {
+            if (!has_failed.exchange(true)) {
+                failure = std::current_exception();
             }
+            is_stopped.store(true, std::memory_order_relaxed);
         }
         return first + kChunk < n;
     };
@@ -81,6 +91,9 @@ bool parallel_for(std::size_t n, std::size_t n_threads, const Work& work,
     while (take_chunk(watch) && watch.goes_on(false)) {
     }
     others.clear();
+    if (failure) {
+        std::rethrow_exception(failure);
+    }
     return !is_stopped.load(std::memory_order_relaxed);
 }
 

@@ -69,6 +69,9 @@ void Desktop::finish_frame() {
     const double now_s = monotonic_now_s();
     if (sound) {
         sound->update(std::min(now_s - finished_s_, kLongestFrame_s));
+        if (const std::string notice = sound->take_notice(); !notice.empty()) {
+            std::fprintf(stderr, "%s\n", notice.c_str());
+        }
     }
     if (voice) {
         voice->step(now_s - finished_s_);

@@ -10,8 +10,10 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace fulcrum::runtime {
@@ -93,15 +95,40 @@ int run_program(int argc, char** argv) {
     }
 }
 
+// There is none for a sentence that is put together.
+int complain_of_memory() noexcept {
+    std::fputs("There is no memory left; end other programs and start again.\n", stderr);
+    return 2;
+}
+
+std::terminate_handler usual_end = nullptr;
+
+// Of a thread for which nobody catches. An arm fades once it hears nothing, what a joystick does ends by its own timer.
+[[noreturn]] void end_without_memory() noexcept {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) {
+            std::rethrow_exception(thrown);
+        }
+    } catch (const std::bad_alloc&) {
+        ::_exit(complain_of_memory());
+    } catch (...) {
+        usual_end();
+    }
+    std::abort();
+}
+
 }  // namespace
 }  // namespace fulcrum::runtime
 
 // Whatever was thrown has unwound by now, so that the force has faded. What was said must have arrived.
 int main(int argc, char** argv) {
     using namespace fulcrum::runtime;
+    usual_end = std::set_terminate(end_without_memory);
     int code = 2;
     try {
         code = run_program(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return complain_of_memory();
     } catch (const std::exception& error) {
         return complain({std::string("the program cannot go on: ") + error.what(), {}, {}}, 2);
     }

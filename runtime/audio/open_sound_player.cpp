@@ -1,3 +1,4 @@
+#include "runtime/audio/lasting_player.h"
 #include "runtime/audio/null/null_player.h"
 #include "runtime/audio/openal/openal_player.h"
 #include "runtime/audio/sound_bank.h"
@@ -13,7 +14,10 @@ Expected<OpenedSound> open_sound_player(const SoundSettings& settings) {
     }
     auto audible = open_openal_device(settings);
     if (audible) {
-        return OpenedSound{std::move(*audible), {}};
+        return OpenedSound{
+            std::make_unique<LastingPlayer>(std::move(*audible), std::move(*silent),
+                                            [settings] { return open_openal_device(settings); }),
+            {}};
     }
     return OpenedSound{std::move(*silent), to_sentence(audible.error())};
 }

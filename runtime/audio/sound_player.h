@@ -78,8 +78,11 @@ class SoundPlayer {
     /// Lets everything fade out (20 ms of updates), what is said too, and sets the force sound to silence.
     virtual void stop() = 0;
 
-    /// False when nothing can be heard: the null player.
+    /// False when nothing can be heard: the null player, or one whose sound card is gone.
     [[nodiscard]] virtual bool audible() const = 0;
+
+    /// What a person should know of the sound card, a sentence, once; empty when there is nothing new.
+    [[nodiscard]] virtual std::string take_notice() { return {}; }
 };
 
 /// A player, and one sentence for the user when it is a silent one (empty otherwise).

@@ -9,10 +9,13 @@ need pulseaudio pactl paplay flite xdotool
 
 export XDG_RUNTIME_DIR=$folder/runtime PULSE_SERVER=unix:$folder/sound ALSOFT_DRIVERS=pulse
 mkdir -m 700 "$XDG_RUNTIME_DIR"
-pulseaudio -n --daemonize=no --exit-idle-time=-1 --use-pid-file=no --log-level=error \
+start_sound() {
+    pulseaudio -n --daemonize=no --exit-idle-time=-1 --use-pid-file=no --log-level=error \
     -L "module-native-protocol-unix socket=$folder/sound auth-anonymous=1" -L "module-null-sink sink_name=ear" -L "module-null-sink sink_name=mouth" \
     2>"$folder/server" &
-sound=$!
+    sound=$!
+}
+start_sound
 trap 'kill "$sound" 2>/dev/null || true; finish' EXIT
 for _ in {1..100}; do
     ! pactl info >/dev/null 2>&1 || break
@@ -65,6 +68,9 @@ done
 wait_for answered 20
 kill "$sound"
 wait_for "microphone" 20
+wait_for "The sound card is gone" 20
+start_sound
+wait_for "There is a sound card again" 20
 xdotool search --onlyvisible --name Fulcrum windowfocus
 sleep 1
 xdotool type --delay 60 "the watermelon is heavier"

@@ -1,10 +1,7 @@
 # A lesson in a real window, under Xvfb. Graphics drivers keep some memory for themselves until the end, and are unloaded
 # before LeakSanitizer could name them: leaks are looked for by the tests that draw without a window.
 if(TARGET fulcrum)
-  # Without sanitizers, so that any program can be started with it.
-  add_library(fulcrum_slow_screen SHARED ${CMAKE_SOURCE_DIR}/tests/support/slow_screen/slow_screen.cpp)
-  target_compile_features(fulcrum_slow_screen PRIVATE cxx_std_20)
-  target_link_libraries(fulcrum_slow_screen PRIVATE ${CMAKE_DL_LIBS})
+  fulcrum_add_shim(slow_screen)
   add_test(NAME "system: a window survives a broken lesson, a hung one, and runs the mended one"
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/window.sh $<TARGET_FILE:fulcrum>)
   add_test(NAME "system: a lesson goes on at its rate, however slow the picture is"

@@ -55,7 +55,10 @@ struct Voice {
 class OpenalVoices {
   public:
     OpenalVoices(Device device, Context context, const StreamQueue& queue)
-        : device_(std::move(device)), context_(std::move(context)), queue_(queue) {}
+        : device_(std::move(device)),
+          context_(std::move(context)),
+          queue_(queue),
+          tells_leaving_(alcIsExtensionPresent(device_.get(), "ALC_EXT_disconnect") == ALC_TRUE) {}
     OpenalVoices(const OpenalVoices&) = delete;
     OpenalVoices& operator=(const OpenalVoices&) = delete;
 
@@ -146,6 +149,15 @@ class OpenalVoices {
         alSourcei(speech_.source, AL_BUFFER, static_cast<ALint>(speech_buffer_));
         alSourcef(speech_.source, AL_GAIN, 1.0F);
         alSourcePlay(speech_.source);
+    }
+
+    /// Whether its device is still there, where OpenAL can tell.
+    [[nodiscard]] bool is_connected() const {
+        ALCint is_there = ALC_TRUE;
+        if (tells_leaving_) {
+            alcGetIntegerv(device_.get(), ALC_CONNECTED, 1, &is_there);
+        }
+        return is_there != ALC_FALSE;
     }
 
     void hush() { speech_.fade_left_s = is_speaking() ? kStopFade_s : -1.0; }
@@ -261,6 +273,7 @@ class OpenalVoices {
     Voice speech_;
     ALuint speech_buffer_ = 0;
     StreamQueue queue_;
+    bool tells_leaving_;
     std::optional<OpenalStream> stream_;
     ALuint force_source_ = 0;
     bool force_playing_ = false;
@@ -284,7 +297,7 @@ class OpenalPlayer : public Base {
     [[nodiscard]] bool is_speaking() const override { return voices.is_speaking(); }
     void update(double dt_s) override { voices.update(dt_s); }
     void stop() override { voices.stop(); }
-    [[nodiscard]] bool audible() const override { return true; }
+    [[nodiscard]] bool audible() const override { return voices.is_connected(); }
 
     OpenalVoices voices;
 };

@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <pthread.h>
 #include <string>
 #include <thread>
@@ -55,6 +56,20 @@ TEST_CASE("load pulse: once stopped it stays stopped, and asks no more") {
     CHECK(n_told == 1);
     const LoadProgress nobody;
     CHECK(LoadPulse(nobody).goes_on_now(0.5));
+}
+
+TEST_CASE("parallel for: what a piece throws on any thread is thrown to the caller, and ends it") {
+    for (const std::size_t fails_at : {std::size_t{0}, std::size_t{999}}) {
+        std::atomic<std::size_t> n_done{0};
+        const auto work = [&](std::size_t piece) {
+            if (piece == fails_at) {
+                throw std::bad_alloc();
+            }
+            n_done.fetch_add(1);
+        };
+        CHECK_THROWS_AS(parallel_for(1000, 3, work), std::bad_alloc);
+        CHECK(n_done.load() < 1000);
+    }
 }
 
 TEST_CASE(

@@ -1,3 +1,4 @@
+#include "runtime/audio/lasting_player.h"
 #include "runtime/audio/null/null_player.h"
 #include "runtime/audio/openal/openal_microphone.h"
 #include "runtime/audio/openal/openal_player.h"
@@ -13,6 +14,26 @@
 using namespace fulcrum::runtime::test;
 
 namespace {
+
+// A sound card that can be unplugged.
+struct Card final : SoundPlayer {
+    Expected<void> play(std::string_view /*name*/, double /*gain*/, double /*pitch*/) override {
+        ++n_plays;
+        return {};
+    }
+    void set_force_sound(double /*force_N*/) override {}
+    void set_stream(SoundStream* given) override { stream = given; }
+    void speak(std::span<const float> /*samples*/) override {}
+    void hush() override {}
+    [[nodiscard]] bool is_speaking() const override { return false; }
+    void update(double /*dt_s*/) override {}
+    void stop() override {}
+    [[nodiscard]] bool audible() const override { return is_there; }
+
+    bool is_there = true;
+    int n_plays = 0;
+    SoundStream* stream = nullptr;
+};
 
 struct Recording {
     double now_s = 5.0;
@@ -94,6 +115,63 @@ TEST_CASE("sound player: without a sound card there is a silent player and a sen
     opened->player->set_force_sound(2.0);
     opened->player->update(0.01);
     opened->player->stop();
+}
+
+TEST_CASE("lasting player: a card that goes is told once, and one that comes is heard") {
+    struct Silence final : SoundStream {
+        void render(std::span<float> samples) noexcept override {
+            std::ranges::fill(samples, 0.0F);
+        }
+    };
+    Silence stream;
+    auto first = std::make_unique<Card>();
+    Card* const card = first.get();
+    auto silent = NullPlayer::open({}).value();
+    const NullPlayer* const silence = silent.get();
+    const Card* opened = nullptr;
+    int n_tries = 0;
+    LastingPlayer player(std::move(first), std::move(silent),
+                         [&]() -> Expected<std::unique_ptr<SoundPlayer>> {
+                             if (++n_tries < 3) {
+                                 return tl::unexpected(Error{"no card", {}, {}});
+                             }
+                             auto made = std::make_unique<Card>();
+                             opened = made.get();
+                             return made;
+                         });
+    const auto goes_on = [&](int seconds) {
+        for (int i = 0; i < 10 * seconds; ++i) {
+            player.update(0.1);
+        }
+    };
+    player.set_stream(&stream);
+    goes_on(3);
+    CHECK(player.audible());
+    CHECK(player.take_notice().empty());
+    CHECK(card->stream == &stream);
+
+    card->is_there = false;
+    goes_on(1);
+    CHECK_FALSE(player.audible());
+    CHECK(player.play("click"));
+    CHECK(silence->plays("click") == 1);
+    CHECK(silence->stream() == &stream);
+    CHECK(player.take_notice().starts_with("The sound card is gone"));
+    CHECK(player.take_notice().empty());
+    goes_on(3);
+    CHECK(n_tries == 1);
+    goes_on(4);
+    CHECK(n_tries == 2);
+    CHECK_FALSE(player.audible());
+    goes_on(8);
+    CHECK(n_tries == 3);
+    CHECK(player.audible());
+    CHECK(player.take_notice() == "There is a sound card again.");
+    REQUIRE(opened != nullptr);
+    CHECK(opened->stream == &stream);
+    CHECK(silence->stream() == nullptr);
+    CHECK(player.play("click"));
+    CHECK(opened->n_plays == 1);
 }
 
 // A machine for tests seldom has one; ear_test.cpp hears recordings that play its part.
