@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMostGrowth_MB = 64.0;  // allocators keep what was freed
 constexpr double kRound_s = 0.001;
-constexpr double kLeastFelt = 1.0 / 3.0;          // of the time in which a lesson can give a force
+constexpr double kLeastFelt = 0.4;                // of the time in which a lesson can give a force
 constexpr double kLeastOfAll = 0.1;               // of all its time
 constexpr std::uint64_t kJudgedRounds = 120'000;  // fewer are chance
 constexpr double kMostKept_MB = 1.0;  // of what is asked for; a leak in each run passes this

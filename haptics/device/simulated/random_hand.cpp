@@ -22,7 +22,7 @@ constexpr double kNear_m = 0.02;
 constexpr double kDeepens_m_per_s = 0.1;  // while it feels nothing
 constexpr double kDeepest_m = 0.05;
 constexpr int kMostTries = 4;
-constexpr double kTouchShare = 0.7;  // of the deeds that are not to follow
+constexpr double kTouchShare = 0.8;  // of the deeds that are not to follow
 constexpr double kLongestStep_s = 0.01;
 
 double ease(double share) noexcept {
@@ -164,7 +164,7 @@ void RandomHand::begin(double now_s) noexcept {
     started_ = true;
     from_s_ = now_s;
     until_s_ = now_s + (follows                    ? draw(0.4, sees_ ? 1.0 : 4.0)
-                        : deed_ == HandDeed::touch ? draw(3.0, 7.0)
+                        : deed_ == HandDeed::touch ? draw(8.0, 20.0)
                                                    : draw(0.3, 2.0));
     begin_D_ = offset_D_;
     begin_turn_D_ = turn_D_;

@@ -41,7 +41,7 @@ struct HandFeeling {
 
 class RandomHand {
   public:
-    static constexpr double kFarthest_m = 0.2;  ///< from where the lesson's hand wants to be
+    static constexpr double kFarthest_m = 0.5;  ///< from where the lesson's hand wants to be
 
     explicit RandomHand(std::uint64_t seed) noexcept : chance_(seed) {}
 

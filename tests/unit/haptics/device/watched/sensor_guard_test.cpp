@@ -110,7 +110,7 @@ TEST_CASE("sensor guard: the smallest error it tells; uneven rounds are none") {
 TEST_CASE(
     "sensor guard: what hands, handles and friction do, and where nothing is known, is none of "
     "it") {
-    const auto little = along_x([](double) { return 0.9 * SensorGuard::kFelt_N; });
+    const auto little = along_x([](double) { return 0.9 * kLeastFelt_N; });
     const auto swings = along_x([](double t_s) { return 5.0 * std::sin(30.0 * t_s); });
     const auto taken_up = along_x([](double t_s) { return 3.0 + 0.99 * std::sin(30.0 * t_s); });
     const auto steps = along_x([](double t_s) { return 1.0e-4 * std::floor(t_s / 0.04); });
