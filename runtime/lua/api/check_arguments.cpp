@@ -167,9 +167,10 @@ void check_field_names(lua_State* lua, int index, const std::string& called,
         if (lua_type(lua, -2) != LUA_TSTRING) {
             refuse_nameless(lua, called, known.front());
         }
-        const std::string name = clean_text(lua_tostring(lua, -2), kMaxShownBytes);
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
-            refuse_field(lua, called, name, known);
+        std::size_t length = 0;
+        const char* const text = lua_tolstring(lua, -2, &length);
+        if (std::find(known.begin(), known.end(), std::string_view(text, length)) == known.end()) {
+            refuse_field(lua, called, clean_text(text, kMaxShownBytes), known);
         }
     }
 }

@@ -225,7 +225,6 @@ void check_further_hand(lua_State* lua, const LessonContext& context, const Argu
 
 int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     check_further_hand(lua, context, arguments);
-    const std::size_t index = context.n_hands++;
     HandDescription hand;
     hand.centre_W = arguments["centre"].vector;
     hand.scale = arguments["scale"].number;
@@ -245,6 +244,7 @@ int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments)
         hand.tool = take_tool(lua, arguments.record("tool"));
     }
     hand.line = place_in_lesson(lua).line;
+    const std::size_t index = context.n_hands++;  // of one that was refused there is none
     if (index == 0) {
         context.description.hand = std::move(hand);
     } else {

@@ -1,3 +1,4 @@
+#include "haptics/math/length.h"
 #include "runtime/lua/host/lesson_host.h"
 
 #include <algorithm>
@@ -65,10 +66,8 @@ Vector3 limited(const Vector3& column, double limit) {
 }
 
 /// A longer vector keeps its direction; no number of it is beyond the limit, as rounding might have it.
-void shorten(Vector3& v, double limit) {
-    if (const double length = v.norm(); length > limit) {
-        v = limited(v * (limit / length), limit);
-    }
+Vector3 shortened(const Vector3& v, double limit) {
+    return limited(limit_length(v, limit), limit);
 }
 
 }  // namespace
@@ -81,10 +80,8 @@ LinearisedWrench linearise_force(lua_State* lua, LessonContext& context, int fun
     result.at_position_W = position;
     result.at_velocity_W = velocity;
     const Wrench here = evaluate(lua, function_ref);
-    result.force_W = here.force;
-    result.torque_W = here.torque;
-    shorten(result.force_W, kMaxLessonForce_N);
-    shorten(result.torque_W, kMaxLessonTorque_Nm);
+    result.force_W = shortened(here.force, kMaxLessonForce_N);
+    result.torque_W = shortened(here.torque, kMaxLessonTorque_Nm);
     for (int axis = 0; axis < 3; ++axis) {
         const Wrench moved = slope(lua, function_ref, position[axis], kForceStep_m);
         result.stiffness_N_per_m.col(axis) = limited(moved.force, kMaxLessonStiffness_N_per_m);

@@ -56,6 +56,8 @@ TEST_CASE("force function: jumps and giants are limited, with their direction ke
     CHECK(force.force_W.norm() == Approx(kMaxLessonForce_N));
     CHECK(force.force_W.x() == Approx(0.6 * kMaxLessonForce_N));
     CHECK(force.stiffness_N_per_m(0, 0) == kMaxLessonStiffness_N_per_m);
+    CHECK(force_of("return 0, -1e200, 0", Vector3::Zero(), Vector3::Zero()).force_W.y() ==
+          Approx(-kMaxLessonForce_N));
     // Of whatever length: no number is beyond what the program takes, by a bit of rounding either.
     for (int newtons = 101; newtons < 400; ++newtons) {
         const LinearisedWrench along = force_of("return 0, -" + std::to_string(newtons) + ", 0",

@@ -166,6 +166,11 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
           "lesson.lua:3: body.mass is in kilograms, 0 to 10000; got -3.");
     CHECK(in_start("world:body { name = 'a', mas = 3 }") ==
           "lesson.lua:3: body has no field \"mas\"; did you mean \"mass\"?");
+    CHECK(in_start("world:body { name = 'a', [\"mass\\0x\"] = 3 }")
+              .starts_with("lesson.lua:3: body has no field"));
+    CHECK(in_start(
+              "pcall(world.hand, world, { cursor_size = -1 }) world:hand { cursor_size = -2 }") ==
+          "lesson.lua:3: hand.cursor_size is in metres, 0.0005 to 1; got -2.");
     CHECK(in_start("world:body { mass = 3 }") ==
           "lesson.lua:3: body.name is missing; it is a plain name (a to z, 0 to 9, _ and -).");
     CHECK(in_start("world:body { name = '../x' }") ==
