@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <thread>
 #include <utility>
@@ -219,6 +220,7 @@ Expected<void> HandDevice::link(const HandChoice& request) {
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
+    link_s_ = device->status().round_trip_s;
     // The run has a clock of its own.
     device->part();
     linked_ = device.get();
@@ -257,6 +259,15 @@ void HandDevice::begin_anew() {
     if (stand_in_ != nullptr) {
         stand_in_->begin_anew();
     }
+}
+
+std::optional<WallHolder> HandDevice::wall_holder() const {
+    if (linked_ == nullptr) {
+        return std::nullopt;
+    }
+    // In whole milliseconds, so that one way gives one plan; an arm's own round is never none.
+    const double link_s = 1.0e-3 * std::max(std::ceil(1.0e3 * link_s_), 1.0);
+    return make_wall_holder(device_->traits(), link_s);
 }
 
 std::optional<LinkStatus> HandDevice::link_status() {

@@ -78,6 +78,8 @@ class HandDevice {
     void begin_anew();
     /// What has happened to the device since the last call that people should know, a sentence; empty when nothing has.
     [[nodiscard]] std::string take_notice();
+    /// Open: the arm at the other end of a link, for which walls must be stable; nothing of another device.
+    [[nodiscard]] std::optional<WallHolder> wall_holder() const;
     /// How the link to an arm does; nothing of another device. For the lesson loop.
     [[nodiscard]] std::optional<LinkStatus> link_status();
 
@@ -124,6 +126,7 @@ class HandDevice {
         nullptr;  // around a HID device, where the mouse has nothing else to move
     bool told_stand_in_ = false;
     bool told_too_long_ = false;
+    double link_s_ = 0.0;  // there and back, as it was greeted
     SpoiledArm* spoiled_ = nullptr;
 };
 

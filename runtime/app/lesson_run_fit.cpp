@@ -82,9 +82,10 @@ double LessonRun::force_limit_N(const RunRequest& request) const {
     return least_N;
 }
 
-// Weights that were fitted to more than the arm can give are fitted again, so that what is heavier is felt heavier.
+// Weights that were fitted to more than the arm can give are fitted again, so that what is heavier is felt heavier; and walls, to the way to
+// an arm on a link.
 Expected<void> LessonRun::fit_to_force(const Places& places, const RunRequest& request) {
-    if (force_limit_N(request) >= plan_.haptic.safety.max_force_N) {
+    if (force_limit_N(request) >= plan_.haptic.safety.max_force_N && !hand_->wall_holder()) {
         return {};
     }
     auto plan = compile(places, request, scene_);

@@ -199,6 +199,12 @@ Expected<RunRequest> with_record(RunRequest request) {
             request.kept_feedback =
                 dialogue::read_ladder_text(*text).value_or(dialogue::FeedbackLadder{});
         }
+        WallHolder& holder = request.plan.holder;
+        holder.name = find_fact(record.header, kHolderFact).value_or(holder.name);
+        number(kHolderMassFact, holder.mass_kg);
+        number(kHolderDampingFact, holder.damping_Ns_per_m);
+        number(kHolderForceFact, holder.max_force_N);
+        number(kHolderLinkFact, holder.link_s);
         // Who is not told otherwise repeats all hands.
         for (std::size_t i = request.more_hands.size(); i < record.more_hands.size(); ++i) {
             HandChoice repeated;

@@ -58,8 +58,14 @@ struct RunRequest : HandChoice {
 inline constexpr const char* kScaleFact = "option.scale";
 /// A record's fact: the ladder of feedback, or that it was the lesson's.
 inline constexpr const char* kFeedbackFact = "option.feedback";
-/// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day, the hand's scale and
-/// the ladder of feedback.
+/// A record's facts: the device for which walls were made stable.
+inline constexpr const char* kHolderFact = "option.walls for";
+inline constexpr const char* kHolderMassFact = "option.walls kg";
+inline constexpr const char* kHolderDampingFact = "option.walls Ns/m";
+inline constexpr const char* kHolderForceFact = "option.walls N";
+inline constexpr const char* kHolderLinkFact = "option.walls link s";
+/// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day, the hand's scale,
+/// the ladder of feedback, and for which device walls were made stable.
 /// Other requests stay as they are.
 [[nodiscard]] Expected<RunRequest> with_record(RunRequest request);
 

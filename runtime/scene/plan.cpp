@@ -7,6 +7,7 @@
 #include "runtime/scene/plan_rigid.h"
 #include "runtime/scene/plan_tool.h"
 #include "runtime/scene/plan_touch.h"
+#include "runtime/scene/plan_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,13 +86,10 @@ HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& optio
     plan.rate_hz = lesson.hand.rate_hz;
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
-    scale_coupling(plan.coupling, lesson.hand.scale);
     apply(options.site, plan.safety);
+    plan.coupling = make_usual_coupling(plan, options.holder, lesson.hand.scale);
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
-    for (const ForceDescription& force : lesson.forces) {
-        plan.fields.push_back(force.field);
-    }
     return plan;
 }
 
@@ -309,6 +307,7 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
     plan.record = options.record;
     plan.live = options.live;
     plan.day = options.day;
+    plan.holder = options.holder;
     plan.dialogue = !lesson.questions.empty() || !lesson.knowledge.empty();
     plan.free_english = !lesson.questions.empty() && lesson.free_english;
     plan.speech = options.speech;
@@ -336,7 +335,8 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
 
     Plan plan;
     plan.haptic = haptic_plan(lesson, options);
-    const auto materials = make_materials(lesson, load_picture);
+    add_forces(lesson, options.holder, plan);
+    const auto materials = make_materials(lesson, options.holder, load_picture, plan);
     if (!materials) {
         return tl::unexpected(materials.error());
     }

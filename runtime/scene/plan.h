@@ -12,6 +12,7 @@
 #include "runtime/scene/listen_mode.h"
 #include "runtime/scene/picture/felt_pictures.h"
 #include "runtime/scene/site_limits.h"
+#include "runtime/scene/stable_wall.h"
 
 #include <cstddef>
 #include <functional>
@@ -65,6 +66,7 @@ struct PlanOptions {
     SiteLimits site{};
     /// What the device can give; infinite for one that renders no force
     double device_force_limit_N = std::numeric_limits<double>::infinity();
+    WallHolder holder{};               ///< for which walls are made stable
     std::size_t n_hands = kMostHands;  ///< that somebody moves: no more are planned
     bool picture = true;               ///< a window or a screenshot is wanted
     bool sound = true;                 ///< false under --mute and --headless
@@ -123,7 +125,8 @@ struct Plan {
     double felt_scale =
         1.0;  ///< the factor that fitted the felt weights under the limit, at most 1
     std::vector<ShapeSource>
-        tool_shapes;  ///< with a tool: of each solid as it meets it, then of its own points
+        tool_shapes;      ///< with a tool: of each solid as it meets it, then of its own points
+    WallHolder holder{};  ///< for which its walls were made stable
     std::vector<std::string>
         notices;  ///< what a teacher should know of this scene, a sentence each
     std::vector<PlanStage>

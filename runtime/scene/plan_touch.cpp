@@ -4,6 +4,7 @@
 #include "haptics/loop/axle_stage.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/point/make_proxy.h"
+#include "runtime/scene/plan_walls.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
@@ -88,7 +89,8 @@ Expected<void> add_axle(const BodyDescription& body, const CollisionMesh& mesh, 
 }  // namespace
 
 Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
-                                               const PictureLoader& load_picture) {
+                                               const WallHolder& holder,
+                                               const PictureLoader& load_picture, Plan& plan) {
     std::vector<Material> materials;
     for (const MaterialDescription& described : lesson.materials) {
         Material material = described.felt;
@@ -103,6 +105,9 @@ Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
         }
         if (auto good = validate(material); !good) {
             return fail(good.error().message, at_line(described.line), good.error().what_to_do);
+        }
+        if (auto good = fit_material(described, holder, material, plan); !good) {
+            return tl::unexpected(good.error());
         }
         materials.push_back(std::move(material));
     }

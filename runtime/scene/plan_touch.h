@@ -21,9 +21,12 @@ inline void scale_coupling(CouplingSettings& coupling, double scale) {
     coupling.damping_Ns_per_m /= scale;
 }
 
-/// Each material of the lesson ready to be felt, in the hand's metres; pictures are read.
+/// Each material of the lesson ready to be felt, in the hand's metres; pictures are read. Walls are fitted to
+/// the device (plan_walls.h).
 [[nodiscard]] Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
-                                                             const PictureLoader& load_picture);
+                                                             const WallHolder& holder,
+                                                             const PictureLoader& load_picture,
+                                                             Plan& plan);
 
 /// Adds the solid bodies, each with its material; `audible`: somebody hears them.
 [[nodiscard]] Expected<void> add_solids(const LessonDescription& lesson,

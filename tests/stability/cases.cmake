@@ -17,3 +17,5 @@ target_link_libraries(stability_cases PRIVATE fulcrum_stability_cases)
 fulcrum_discover_tests(stability_cases PREFIX "stability: " LABELS stability TIMEOUT 120)
 # It reads docs/safety.md and the names of the other tests.
 target_compile_definitions(test_stability PRIVATE FULCRUM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+# What is tested is what ships: plans are made from lessons.
+target_link_libraries(test_stability PRIVATE fulcrum::scene)

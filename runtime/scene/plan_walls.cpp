@@ -1,0 +1,99 @@
+#include "runtime/scene/plan_walls.h"
+
+#include "runtime/scene/plan_hands.h"
+#include "runtime/scene/plan_touch.h"
+
+#include <sstream>
+#include <string>
+
+namespace fulcrum::runtime {
+namespace {
+
+WallLoop loop_of(const HapticPlan& plan) {
+    return {plan.rate_hz, plan.safety.max_slew_N_per_s, plan.safety.max_force_N};
+}
+
+bool is_softer(const CouplingSettings& felt, const CouplingSettings& wanted) {
+    return felt.stiffness_N_per_m < wanted.stiffness_N_per_m ||
+           felt.damping_Ns_per_m < wanted.damping_Ns_per_m;
+}
+
+/// "a stiffness of 4130 N/m and a damping of 4.6 Ns/m"
+std::string text_of(const CouplingSettings& wall) {
+    std::ostringstream text;
+    text << "a stiffness of " << wall.stiffness_N_per_m << " N/m and a damping of "
+         << wall.damping_Ns_per_m << " Ns/m";
+    return text.str();
+}
+
+/// What no rate makes stable by half is no material.
+Expected<void> refuse_unstable(const MaterialDescription& material, const WallLoop& loop) {
+    const CouplingSettings& wanted = material.felt.coupling;
+    WallLoop fastest = loop;
+    fastest.rate_hz = kMostRate_Hz;
+    const CouplingSettings best = fit_wall(wanted, {}, fastest);
+    if (best.stiffness_N_per_m >= kLeastKept * wanted.stiffness_N_per_m &&
+        best.damping_Ns_per_m >= kLeastKept * wanted.damping_Ns_per_m) {
+        return {};
+    }
+    return fail(material.felt.name + " would shake in every hand with " + text_of(wanted),
+                at_line(material.line),
+                "the nearest that " + WallHolder{}.name + " holds is " +
+                    text_of(fit_wall(wanted, {}, loop)));
+}
+
+/// Makes it as soft as this device needs it, and tells a teacher of that.
+void soften(const std::string& what, SourceLine line, const WallHolder& holder,
+            CouplingSettings& wall, Plan& plan) {
+    const CouplingSettings wanted = wall;
+    wall = fit_wall(wanted, holder, loop_of(plan.haptic));
+    if (!is_softer(wall, wanted)) {
+        return;
+    }
+    std::ostringstream way;
+    if (holder.link_s > 0.0) {
+        way << " over a link of " << 1.0e3 * holder.link_s << " ms there and back";
+    }
+    plan.notices.push_back(at_line(line) + ": " + what + " is felt with " + text_of(wall) +
+                           ", not with " + text_of(wanted) + ": with these " + holder.name +
+                           way.str() + " would shake in a hand.");
+}
+
+}  // namespace
+
+CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolder& holder,
+                                     double scale) {
+    CouplingSettings coupling = fit_wall({}, holder, loop_of(plan));
+    scale_coupling(coupling, scale);
+    return coupling;
+}
+
+Expected<void> fit_material(const MaterialDescription& described, const WallHolder& holder,
+                            Material& material, Plan& plan) {
+    if (auto good = refuse_unstable(described, loop_of(plan.haptic)); !good) {
+        return good;
+    }
+    soften(material.name, described.line, holder, material.coupling, plan);
+    return {};
+}
+
+void add_forces(const LessonDescription& lesson, const WallHolder& holder, Plan& plan) {
+    // Where the hand goes farther in the scene a spring of the scene is stiffer in the hand.
+    const double scale = find_largest_scale(lesson);
+    for (const ForceDescription& force : lesson.forces) {
+        FieldPlan field = force.field;
+        if (field.kind == FieldKind::spring) {
+            CouplingSettings in_hand{.stiffness_N_per_m = field.stiffness_N_per_m * scale,
+                                     .damping_Ns_per_m = field.damping_Ns_per_m * scale};
+            const CouplingSettings wanted = in_hand;
+            soften("the spring \"" + force.name + "\"", force.line, holder, in_hand, plan);
+            if (is_softer(in_hand, wanted)) {
+                field.stiffness_N_per_m = in_hand.stiffness_N_per_m / scale;
+                field.damping_Ns_per_m = in_hand.damping_Ns_per_m / scale;
+            }
+        }
+        plan.haptic.fields.push_back(field);
+    }
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,24 @@
+// Walls and springs of a lesson, fitted to the device that renders them (stable_wall.h): what would shake in a hand is softer in the plan, which gets a
+// notice of it, with the line that declared it. For plan.cpp; the plan has its rate and limits already.
+//
+// Thread: load path.
+#pragma once
+
+#include "haptics/surface/material.h"
+#include "runtime/scene/plan.h"
+
+namespace fulcrum::runtime {
+
+/// What is touched and made of nothing: the usual coupling, or what of it is stable, in a hand of that scale.
+[[nodiscard]] CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolder& holder,
+                                                   double scale);
+
+/// `material` is what was described, in the hand's metres, its picture read. Refuses, with the nearest that is stable, one of which not even the fastest
+/// loop would leave kLeastKept on a desktop arm: it would be another material.
+[[nodiscard]] Expected<void> fit_material(const MaterialDescription& described,
+                                          const WallHolder& holder, Material& material, Plan& plan);
+
+/// Gives the plan the lesson's declared forces. A spring about a place is a wall both ways, in any hand of the lesson.
+void add_forces(const LessonDescription& lesson, const WallHolder& holder, Plan& plan);
+
+}  // namespace fulcrum::runtime
