@@ -71,7 +71,7 @@ spoilt() {
 }
 
 good_tree
-for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names changes_apply pages figures; do
+for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names changes_apply shipped_gate pages figures; do
     passes "$check"
 done
 
@@ -95,6 +95,7 @@ spoilt vendor_headers '<Eigen/Core> belongs' dialogue/english/bad.h '#include <E
 spoilt vendor_headers '<Eigen/Core> belongs' haptics/loop/bad.h '#include <Eigen/Core>'
 spoilt vendor_headers '<nlohmann/json.hpp> belongs' haptics/loop/bad.h '#include <nlohmann/json.hpp>'
 spoilt vendor_headers 'from no library that the house knows' haptics/loop/bad.h '#include <boost/any.hpp>'
+spoilt shipped_gate 'another slew than ships' tests/unit/bad_test.cpp 'TEST_CASE("a wall: it stands") {\n    plan.safety.max_slew_N_per_s = 5000.0;\n}'
 spoilt same_bits 'use compute_length' haptics/loop/bad.cpp 'const double n = (a - b).stableNorm();'
 spoilt same_bits 'write Vector3::Zero()' haptics/loop/bad.cpp 'const Twist up{{0.0, 1.0, 0.0}, {}};'
 spoilt same_bits 'write Vector3::Zero()' haptics/loop/bad.cpp 'step(Wrench{{}, Vector3(0.0, 1.0, 0.0)});'

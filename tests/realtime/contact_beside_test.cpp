@@ -50,8 +50,7 @@ HapticPlan make_floor(ToolMethod method) {
     HapticPlan plan;
     plan.expects_lesson = false;
     plan.safety.soft_start_s = 0.0;
-    plan.safety.max_slew_N_per_s = 1.0e6;  // the tool's own force is what must not jump
-    plan.safety.device_timeout_s = 1.0;    // a slow machine is no lost device
+    plan.safety.device_timeout_s = 1.0;  // a slow machine is no lost device
     plan.solids.push_back({.body = 3,
                            .shape = BoxShape{Vector3(0.1, 0.02, 0.1)},
                            .initial_pose_W = Pose::at(Vector3(0, -0.02, 0))});

@@ -22,7 +22,6 @@ HapticPlan make_plan() {
     HapticPlan plan;
     plan.expects_lesson = false;
     plan.safety.soft_start_s = 0.0;
-    plan.safety.max_slew_N_per_s = 5000.0;
     plan.coupling.stiffness_N_per_m = 1000.0;
     const auto box = make_box(Vector3(2.0, 2.0, 2.0)).value();
     plan.solids.push_back({.body = 0,

@@ -57,7 +57,6 @@ struct BoxScene {
         plan.expects_lesson = false;
         plan.safety.max_force_N = most_force_N;
         plan.safety.soft_start_s = 0.0;
-        plan.safety.max_slew_N_per_s = 5000.0;
         plan.coupling = coupling;
         plan.tool = tool;
         plan.proxy = {.kind = ProxyKind::friction_cone, .cursor = SphereShape{cursor_m}};

@@ -130,7 +130,6 @@ class TrialArm {
     plan.expects_lesson = false;
     plan.safety.max_force_N = trial.limit_N;
     plan.safety.soft_start_s = 0.0;
-    plan.safety.max_slew_N_per_s = 5000.0;
     plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), trial.stiffness_N_per_m}};
     plan.lesson_force = trial.torque_Nm != 0.0;
     return plan;

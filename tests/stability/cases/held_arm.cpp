@@ -68,7 +68,6 @@ HapticPlan make_floor_plan() {
     HapticPlan plan;
     plan.expects_lesson = false;
     plan.safety.soft_start_s = 0.0;
-    plan.safety.max_slew_N_per_s = 5000.0;
     plan.solids.push_back(
         {.body = 0, .shape = *mesh, .initial_pose_W = Pose::at(Vector3(0.0, -1.0, 0.0))});
     return plan;

@@ -135,7 +135,8 @@ TEST_CASE("link: the least of program, run, arm's settings and arm holds, of tor
     }
 }
 
-TEST_CASE("link: but for transients force and torque change no faster than both sides let them") {
+TEST_CASE(
+    "link: but for transients force and torque change no faster than the slew of either side") {
     // What changes by more in a round than this is too fast.
     const auto find_largest = [](double own_N_per_s, double told_N_per_s, double told_N,
                                  double told_Nm) {

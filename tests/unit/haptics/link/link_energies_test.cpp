@@ -31,7 +31,6 @@ constexpr double kTorque_Nm = 0.1;
 ArmServerSettings at_once() {
     ArmServerSettings settings;
     settings.safety.soft_start_s = 0.0;
-    settings.safety.max_slew_N_per_s = 5000.0;
     return settings;
 }
 
@@ -59,7 +58,7 @@ struct Unpaid {
         packet.command.wrench_D = wrench_D;
         packet.command.max_force_N = 10.0;
         packet.command.max_torque_Nm = 1.0;
-        packet.command.max_slew_N_per_s = 5000.0;
+        packet.command.max_slew_N_per_s = SafetySettings{}.max_slew_N_per_s;
         held.send(packet);
     }
     // The hand goes at `speed` along x, or turns about it, for `seconds`; its arm shows that in steps of `seen`, in every so many rounds.

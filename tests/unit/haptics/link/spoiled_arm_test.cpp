@@ -48,12 +48,12 @@ SpoiledCounts run_arm(HapticPlan plan, SpoiledArm& arm, Ask ask, double seconds)
 // The arm's own limits are those of any arm, and it is told the run's. A spring holds the hand; `watched_N`: what is held against it, where
 // it is not the plan's own limit.
 SpoiledCounts run_spoiled(std::uint64_t seed, double seconds, double limit_N = 5.0,
-                          double watched_N = 0.0, double slew_N_per_s = 500.0) {
+                          double watched_N = 0.0, const SafetySettings& run = {}) {
     LatestValue<HandTarget> target;
     target.publish({.sees_thing = seed % 2 == 0});
     HapticPlan plan;
+    plan.safety = run;
     plan.safety.max_force_N = limit_N;
-    plan.safety.max_slew_N_per_s = slew_N_per_s;
     plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), 400.0}};
     SpoiledArm arm(seed, target);
     arm.keep_limits(plan.safety);
@@ -159,7 +159,8 @@ TEST_CASE("spoiled arm: the run's own limit is watched, and after a loss its own
     constexpr double kSlew_N_per_s = 100.0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         INFO("seed " << seed);
-        const SpoiledCounts counts = run_spoiled(seed, 40.0, kLimit_N, kLimit_N, kSlew_N_per_s);
+        const SpoiledCounts counts =
+            run_spoiled(seed, 40.0, kLimit_N, kLimit_N, {.max_slew_N_per_s = kSlew_N_per_s});
         CHECK(counts.broken_limits == 0);
         CHECK(counts.felt_rounds > 2000);
     }

@@ -21,7 +21,6 @@ HapticPlan make_plate_plan() {
     HapticPlan plan;
     plan.expects_lesson = false;
     plan.safety.soft_start_s = 0.0;
-    plan.safety.max_slew_N_per_s = 5000.0;
     plan.solids = only_solid(touchable(make_plate(4.0, 0.2, 8)));
     return plan;
 }
@@ -178,7 +177,6 @@ TEST_CASE("surface: a tap rings with the set frequency, and no edge of the plate
 
 TEST_CASE("surface: a tap faster than any hand stays within the gate") {
     HapticPlan plan = make_plate_plan();
-    plan.safety.max_slew_N_per_s = 500.0;
     TransientSettings& tap = plan.solids[0].surface.transient;
     tap = {.kind = TransientKind::decaying_sinusoid,
            .force_Ns_per_m = 100.0,

@@ -19,7 +19,6 @@ inline HapticPlan make_tool_floor(test::ToolScene scene, double scale = 1.0,
                                   double stiffness_N_per_m = kToolStiffness_N_per_m) {
     HapticPlan plan;
     plan.safety.soft_start_s = 0.0;
-    plan.safety.max_slew_N_per_s = 5000.0;
     plan.safety.max_torque_Nm = 1.0;
     plan.workspace.scale = scale;
     plan.solids.push_back({.body = 3,
