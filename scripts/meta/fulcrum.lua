@@ -85,7 +85,7 @@ local Body = {}
 ---@field roughness number 0 (smooth) to 1, rough from 0.5 on: from its relief and how it pushes sideways
 ---@field slipperiness number 0 to 1, slippery from 0.5 on, sticky below 0.15: from its friction while it slides
 ---@field words table<string, boolean> what is true of it: hard or soft, rough or smooth, slippery or sticky or neither; material.words.hard is true or nil
----@field stiffness number newtons per metre; of its spring
+---@field stiffness number newtons per metre; of its spring as it was declared; what an arm can't hold is felt softer, and `hardness` follows that
 ---@field friction number what holds a resting hand, in parts of how hard it presses
 ---@field ring number hertz; the tone of a tap; 0 when it has none
 local Material = {}
@@ -382,7 +382,7 @@ function Hand:force(compute) end
 ---@class MaterialOptions
 ---@field name string unique; what it is called
 ---@field like? string a material that it begins as, see Materials; what is not said here is that one's
----@field stiffness? number of its spring; a cushion is about 100, and an arm holds some 500 to 1000; in newtons per metre, 10 to 5000
+---@field stiffness? number of its spring; a cushion is about 100, and an arm holds some 500 to 1000; what it can't hold is felt softer or refused; in newtons per metre, 10 to 5000
 ---@field damping? number how much it swallows; in newton seconds per metre, 0 to 50
 ---@field friction? number what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, rubber 1; 0 to 5
 ---@field sliding_friction? number the same while it slides; 0.8 of friction by default; 0 to 5

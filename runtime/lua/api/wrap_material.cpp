@@ -239,7 +239,9 @@ void add_material_properties(ApiTable& table) {
                                 "what is true of it: hard or soft, rough or smooth, slippery or "
                                 "sticky or neither; material.words.hard is true or nil",
                                 &get_words});
-    add("stiffness", "newtons per metre", "of its spring",
+    add("stiffness", "newtons per metre",
+        "of its spring as it was declared; what an arm can't hold is felt softer, and `hardness` "
+        "follows that",
         &get_number<[](const Material& m) { return m.coupling.stiffness_N_per_m; }>);
     add("friction", "", "what holds a resting hand, in parts of how hard it presses",
         &get_number<[](const Material& m) { return m.friction.static_coefficient; }>);
@@ -275,7 +277,8 @@ void add_material_api(ApiTable& table) {
           {"like", name, "", 0, 0, "nil",
            "a material that it begins as, see Materials; what is not said here is that one's"},
           {"stiffness", number, "newtons per metre", 10, 5000, "nil",
-           "of its spring; a cushion is about 100, and an arm holds some 500 to 1000"},
+           "of its spring; a cushion is about 100, and an arm holds some 500 to 1000; what it "
+           "can't hold is felt softer or refused"},
           {"damping", number, "newton seconds per metre", 0, 50, "nil", "how much it swallows"},
           {"friction", number, "", 0, kMostFriction, "nil",
            "what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, "
