@@ -81,8 +81,9 @@ Expected<void> check_felt_fields(const LessonDescription& lesson) {
     return {};
 }
 
-HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& options) {
-    HapticPlan plan;
+Plan begin_plan(const LessonDescription& lesson, const PlanOptions& options) {
+    Plan begun;
+    HapticPlan& plan = begun.haptic;
     plan.rate_hz = lesson.hand.rate_hz;
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
@@ -90,7 +91,9 @@ HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& optio
     plan.coupling = make_usual_coupling(plan, options.holder, lesson.hand.scale);
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
-    return plan;
+    add_forces(lesson, options.holder, begun);
+    tell_usual_coupling(lesson, options.holder, begun);
+    return begun;
 }
 
 WorldPlan world_plan(const LessonDescription& lesson, const FeltWeights& felt) {
@@ -333,9 +336,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
         return tl::unexpected(good.error());
     }
 
-    Plan plan;
-    plan.haptic = haptic_plan(lesson, options);
-    add_forces(lesson, options.holder, plan);
+    Plan plan = begin_plan(lesson, options);
     const auto materials = make_materials(lesson, options.holder, load_picture, plan);
     if (!materials) {
         return tl::unexpected(materials.error());

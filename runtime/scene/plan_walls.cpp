@@ -3,6 +3,7 @@
 #include "runtime/scene/plan_hands.h"
 #include "runtime/scene/plan_touch.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -66,6 +67,16 @@ CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolder& h
     CouplingSettings coupling = fit_wall({}, holder, loop_of(plan));
     scale_coupling(coupling, scale);
     return coupling;
+}
+
+void tell_usual_coupling(const LessonDescription& lesson, const WallHolder& holder, Plan& plan) {
+    const auto plain = std::ranges::find_if(lesson.bodies, [](const BodyDescription& body) {
+        return body.solid && body.material == kNoMaterial;
+    });
+    if (plain != lesson.bodies.end() && !lesson.hand.tool) {
+        CouplingSettings usual;
+        soften("the " + plain->noun + ", of no material,", plain->line, holder, usual, plan);
+    }
 }
 
 Expected<void> fit_material(const MaterialDescription& described, const WallHolder& holder,

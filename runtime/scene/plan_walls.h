@@ -13,6 +13,9 @@ namespace fulcrum::runtime {
 [[nodiscard]] CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolder& holder,
                                                    double scale);
 
+/// A notice where that is softer than usual and a solid body of the lesson is touched with it.
+void tell_usual_coupling(const LessonDescription& lesson, const WallHolder& holder, Plan& plan);
+
 /// `material` is what was described, in the hand's metres, its picture read. Refuses, with the nearest that is stable, one of which not even the fastest
 /// loop would leave kLeastKept on a desktop arm: it would be another material.
 [[nodiscard]] Expected<void> fit_material(const MaterialDescription& described,

@@ -30,9 +30,25 @@ TEST_CASE(
     CHECK(away.material_facts.front().stiffness_N_per_m == felt_of(away).stiffness_N_per_m);
     CHECK(away.material_facts.front().hardness < kGradeMiddle);
     CHECK(at_hand.material_facts.front().hardness >= kGradeMiddle);
-    // What is made of nothing gives way too.
+    // What is made of nothing gives way too, and that is told where there is such a thing.
     CHECK(at_hand.haptic.coupling.stiffness_N_per_m == 500.0);
     CHECK(away.haptic.coupling.stiffness_N_per_m < 300.0);
+    LessonDescription plain = fulcrum::test::make_wall_lesson(stiff);
+    plain.materials.clear();
+    plain.bodies.front().material = kNoMaterial;
+    plain.bodies.front().model = "sphere";
+    PlanOptions options;
+    options.holder = far;
+    const auto load = [](const BodyDescription& body) {
+        return make_box(Vector3::Constant(body.radius_m)).and_then([](const TriangleMesh& box) {
+            return CollisionMesh::create(box);
+        });
+    };
+    const auto told = compile_plan(plain, options, load).value().notices;
+    REQUIRE(told.size() == 1);
+    CHECK(told.front().find("lesson.lua:3: the block, of no material, is felt with a stiffness of "
+                            "210 N/m") == 0);
+    CHECK(compile_plan(plain, {}, load).value().notices.empty());
 }
 
 TEST_CASE(
