@@ -45,6 +45,7 @@ class FrictionConstraintSolver {
 
     /// For what is wanted. `exact`: within kTolerance of the largest that is wanted or asked for.
     const LeastConstraint& solve(const Vector6& wanted) noexcept;
+    [[nodiscard]] const LeastConstraint& last() const noexcept { return answer_; }
     /// Of the last solve: the force of the contact that was added as `k`-th, newtons.
     [[nodiscard]] Vector3 force_W(std::size_t k) const noexcept;
     [[nodiscard]] std::size_t memory_bytes() const noexcept {

@@ -56,6 +56,7 @@ class LeastConstraintSolver {
 
     /// For an acceleration that is wanted.
     const LeastConstraint& solve(const Vector6& wanted) noexcept;
+    [[nodiscard]] const LeastConstraint& last() const noexcept { return answer_; }
     /// Of the last solve: the force along the normal of the contact that was added as `k`-th, newtons; 0 for one that does not act.
     [[nodiscard]] double force_N(std::size_t k) const noexcept;
 

@@ -69,16 +69,29 @@ struct PortEnergy {
     double braked_J = 0.0;  ///< taken back so far by the controller's brake
 };
 
+/// What a step of a tool may be short of, beside time.
+enum class ToolLack : std::uint8_t {
+    unsettled,  ///< it was still under way: the last force that was settled is felt
+    wedged,     ///< bodies closed upon it: it holds them where they touched
+    crowded,    ///< more contacts than there is room for: those left out are not felt
+    inexact,    ///< the contacts' answer is not within its tolerance
+};
+inline constexpr std::size_t kToolLacks = 4;
+
 /// What a step of a tool took, and what it left out.
 struct ToolEffort {
     std::int64_t n_looks = 0;   ///< of its solver, at all that is near
     std::int64_t n_points = 0;  ///< looked at, in all looks together
     double error_N = 0.0;  ///< how far the points' force may be off for those that were left out
     bool in_time = true;   ///< false: the solver ended with the best it had, as its time was over
+    std::array<bool, kToolLacks> lacks{};
     // So far:
     double most_error_N = 0.0;
-    std::uint64_t n_inexact = 0;  ///< steps that left out points
-    std::uint64_t n_cut = 0;      ///< steps that were not in time
+    std::uint64_t n_inexact = 0;                        ///< steps that left out points
+    std::uint64_t n_cut = 0;                            ///< steps that were not in time
+    std::array<std::uint64_t, kToolLacks> n_lacking{};  ///< steps
+
+    void tell(ToolLack lack, bool is_so) noexcept { lacks[static_cast<std::size_t>(lack)] = is_so; }
 };
 
 /// Haptic loop -> world, lesson and picture, newest value.

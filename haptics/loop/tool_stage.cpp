@@ -100,6 +100,9 @@ void ToolStage::add_up(const ToolEffort& step) noexcept {
     effort_.most_error_N = std::max(before.most_error_N, step.error_N);
     effort_.n_inexact = before.n_inexact + (step.error_N > 0.0 ? 1 : 0);
     effort_.n_cut = before.n_cut + (step.in_time ? 0 : 1);
+    for (std::size_t i = 0; i < kToolLacks; ++i) {
+        effort_.n_lacking[i] = before.n_lacking[i] + (step.lacks[i] ? 1 : 0);
+    }
 }
 
 void ToolStage::tell_pushes(const Wrench& felt_W) noexcept {

@@ -1,5 +1,7 @@
 #include "haptics/tool/god_force.h"
 
+#include "haptics/math/length.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +11,27 @@ namespace {
 
 constexpr double kNothing_N = 1.0e-4;
 constexpr double kNothing_Nm = 1.0e-6;
+// A set turns what it holds, by v dt over a radius of curvature, where it changes it by no more than this share, and its size by no more than that.
+constexpr double kTurns = 0.4;
+constexpr double kKeeps = 0.1;
+constexpr double kTurnsTorque = 0.05;
+constexpr double kEndsAway_s = 0.01;
 constexpr double kFarthest_m = 2.0e4;
 constexpr double kUnit = 1.0e-6;  // how far a quaternion's length may be off
+
+// What of a change is not felt at once.
+Vector3 find_lost(const Vector3& before, const Vector3& now, double turns) noexcept {
+    const Vector3 lost = before - now;
+    const double size = before.norm();
+    const bool is_turned =
+        lost.norm() <= turns * size && std::abs(now.norm() - size) <= kKeeps * size;
+    return is_turned ? Vector3(Vector3::Zero()) : lost;
+}
+
+// What ends evenly within a time, of what it was a step ago: it has been ending for so long, or not yet.
+double find_share_left(double ending_s, double ends_s, double dt_s) noexcept {
+    return ending_s <= 0.0 ? 1.0 : std::max(1.0 - dt_s / (ends_s + dt_s - ending_s), 0.0);
+}
 
 }  // namespace
 
@@ -73,6 +94,7 @@ bool GodForce::add(const Vector3& arm_W, const Vector3& normal_W, double least_m
 Wrench GodForce::compute_held(const Pose& wanted_W) noexcept {
     if (size() == 0) {
         presses_ = false;
+        is_exact_ = true;
         return {};
     }
     const Vector6 wanted = settings_.step_share * find_way(tool_W_, wanted_W);
@@ -83,6 +105,7 @@ Wrench GodForce::compute_held(const Pose& wanted_W) noexcept {
     const LeastConstraint& held =
         settings_.has_friction ? dragging_.solve(wanted) : solver_.solve(wanted);
     presses_ = held.acting > 0;
+    is_exact_ = held.exact;
     is_solved_ = true;
     solved_for_ = wanted;
     solved_ = {scale_ * held.force.head<3>(), scale_ * held.force.tail<3>()};
@@ -100,8 +123,19 @@ Vector3 GodForce::find_carried(const Blended& blended, const Vector3& held, bool
     return now < then ? Vector3(blended.size * (now / then)) : blended.size;
 }
 
+Wrench GodForce::limit(const Wrench& wrench) const noexcept {
+    return {limit_length(wrench.force, settings_.most_N),
+            limit_length(wrench.torque, settings_.most_Nm)};
+}
+
+void GodForce::keep(const Pose& wanted_W) noexcept {
+    kept_held_ = limit(compute_held(wanted_W));
+    kept_ = {find_carried(blended_.force, kept_held_.force, presses_),
+             find_carried(blended_.torque, kept_held_.torque, presses_)};
+}
+
 Wrench GodForce::compute(const Pose& wanted_W) noexcept {
-    Wrench felt = compute_held(wanted_W);
+    Wrench felt = limit(compute_held(wanted_W));
     felt.force += find_carried(blended_.force, felt.force, presses_);
     felt.torque += find_carried(blended_.torque, felt.torque, presses_);
     return felt;
@@ -115,25 +149,22 @@ Vector3 GodForce::force_W(std::size_t k) const noexcept {
                                   : Vector3(scale_ * solver_.force_N(k) * normals_W_[k]);
 }
 
-void GodForce::blend(const Wrench& before, const Pose& wanted_W, double dt_s,
-                     bool is_near) noexcept {
-    if (!is_near) {
-        forget_blend();
-        return;
-    }
-    const Wrench now = compute_held(wanted_W);
-    double kept = settings_.fade_s > 0.0 ? std::exp(-dt_s / settings_.fade_s) : 0.0;
+void GodForce::blend(const Pose& wanted_W, double dt_s, bool is_near) noexcept {
+    const Wrench now = limit(compute_held(wanted_W));
     free_s_ = size() == 0 ? free_s_ + dt_s : 0.0;
-    if (free_s_ > kMayTouchAgain_s) {
-        // Evenly, to nothing.
-        const double left_s = kMayTouchAgain_s + settings_.fade_s - (free_s_ - dt_s);
-        kept = std::min(kept, std::max(1.0 - dt_s / left_s, 0.0));
-    }
-    if (free_s_ >= kMayTouchAgain_s + settings_.fade_s) {
-        kept = 0.0;
-    }
-    blended_.force = {kept * (before.force - now.force), now.force};
-    blended_.torque = {kept * (before.torque - now.torque), now.torque};
+    away_s_ = is_near ? 0.0 : away_s_ + dt_s;
+    const double kept =
+        settings_.fade_s > 0.0
+            ? std::min({std::exp(-dt_s / settings_.fade_s),
+                        find_share_left(free_s_ - kMayTouchAgain_s, settings_.fade_s, dt_s),
+                        find_share_left(away_s_, kEndsAway_s, dt_s)})
+            : 0.0;
+    const auto fade = [&](const Vector3& carried, const Vector3& lost) {
+        return Vector3(kept * (carried + lost));
+    };
+    blended_.force = {fade(kept_.force, find_lost(kept_held_.force, now.force, kTurns)), now.force};
+    blended_.torque = {fade(kept_.torque, find_lost(kept_held_.torque, now.torque, kTurnsTorque)),
+                       now.torque};
     // What cannot be felt any more is nothing.
     if (!presses_ && blended_.force.size.norm() < kNothing_N &&
         blended_.torque.size.norm() < kNothing_Nm) {

@@ -1,6 +1,5 @@
 #include "haptics/tool/god_motion.h"
 
-#include "haptics/base/clock.h"
 #include "haptics/tool/god_force.h"
 
 #include <algorithm>
@@ -28,6 +27,7 @@ constexpr double kTooNear = 0.75;   // of the gap at rest: with less the tool is
 constexpr double kObjectWay = 0.1;  // of the tool's reach, that an object goes in a round
 constexpr double kObjectTurn_rad = 0.02;  // likewise
 constexpr double kMostTurn_rad = 3.0;     // of the tool, in a round
+constexpr double kSamePlace = 0.05;       // of a round's way: how near the tool comes back
 constexpr int kMovingTries = 4;
 constexpr double kNoProgress = 1.0e-6;  // of the objects' way
 
@@ -114,48 +114,6 @@ void GodMotion::collect_within() noexcept {
         step_.least_gap_m = std::min(step_.least_gap_m, pairs_[i].least_gap_m());
         step_.too_many = step_.too_many || pairs_[i].is_full();
     }
-}
-
-const LeastConstraint& GodMotion::solve(const Vector6& wanted, bool pushes) noexcept {
-    solver_.clear();
-    dragging_.clear();
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        const bool moves = !is_same(objects_W_[i], goals_W_[i]);
-        for (const GodContact& contact : pairs_[i].contacts()) {
-            const Vector3 normal_W = R_WO * contact.normal_O;
-            double least_m = settings_.gap_m - contact.gap_m;
-            Vector3 carried_W = Vector3::Zero();
-            if (moves) {
-                carried_W = goals_W_[i] * contact.on_object_O - objects_W_[i] * contact.on_object_O;
-                least_m += normal_W.dot(carried_W);
-            }
-            const Vector3 arm_W =
-                R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
-            least_m = pushes ? least_m : std::min(least_m, 0.0);
-            if (has_friction_) {
-                dragging_.add(arm_W, normal_W, least_m, find_friction(i, contact), carried_W);
-            } else {
-                solver_.add(arm_W, normal_W, least_m);
-            }
-        }
-    }
-    return has_friction_ ? dragging_.solve(wanted) : solver_.solve(wanted);
-}
-
-Vector6 GodMotion::find_allowed(const Pose& wanted_W) noexcept {
-    const Vector6 wanted = find_way(pose_W_, wanted_W);
-    if (step_.contacts == 0) {
-        return wanted;
-    }
-    const Matrix3 inertia_W = compute_inertia_W(settings_.inertia, pose_W_.orientation);
-    if (has_friction_) {
-        dragging_.set_inertia(settings_.inertia.mass_kg, inertia_W);
-    } else {
-        solver_.set_inertia(settings_.inertia.mass_kg, inertia_W);
-    }
-    const LeastConstraint& allowed = solve(wanted, true);
-    return allowed.exact ? allowed.acceleration : solve(wanted, false).acceleration;
 }
 
 Pose GodMotion::find_object_W(std::size_t i, double share) const noexcept {
@@ -255,15 +213,37 @@ void GodMotion::look_farther(double way_m, double share, bool recovers) noexcept
     }
 }
 
+// Where a valley's walls meet at a small angle each sends it to the other, by less than the gap at rest: no round gets farther.
+bool GodMotion::comes_back(double gone_m) noexcept {
+    const auto is_here = [&](const Pose& been_W) {
+        return (been_W.position - pose_W_.position).norm() <= kSamePlace * gone_m &&
+               reach_m_ * been_W.orientation.angularDistance(pose_W_.orientation) <=
+                   kSamePlace * gone_m;
+    };
+    return n_been_ > 1 && have_arrived() &&
+           std::any_of(been_W_.begin() + 1, been_W_.begin() + static_cast<std::ptrdiff_t>(n_been_),
+                       is_here);
+}
+
 // One round; whether another may get farther.
 bool GodMotion::slide_once(const Pose& wanted_W, std::span<const MovingFrame> objects,
                            bool recovers, double& longest_m) noexcept {
     set_goals(objects);
     Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
     const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
-    const double none_m =
-        step_.rounds == 0 ? settings_.gap_m * kSettledShare : longest_m * kSettlesNext;
+    const double none_m = recovers || step_.rounds == 0 || !is_held()
+                              ? settings_.gap_m * kSettledShare
+                              : longest_m * kSettlesNext;
+    if (!recovers) {
+        forget_idle();
+    }
     if (way_m <= none_m && have_arrived()) {
+        // Once without what is recalled: it may no longer lie where the tool is.
+        if (!recovers && n_recalled_ > 0 && !is_checked_) {
+            is_checked_ = true;
+            n_recalled_ = 0;
+            return true;
+        }
         step_.settled = !recovers;
         return recovers;
     }
@@ -294,22 +274,27 @@ bool GodMotion::slide_once(const Pose& wanted_W, std::span<const MovingFrame> ob
         }
         return false;
     }
+    if (!recovers && share < 1.0 && !is_cut_) {
+        recall();
+    }
+    std::ranges::rotate(been_W_, been_W_.end() - 1);
+    been_W_.front() = pose_W_;
+    n_been_ = std::min(n_been_ + 1, been_W_.size());
     advance(way, share);
     look_farther(way_m, share, recovers);
     collect();
-    return true;
+    step_.settled = !recovers && comes_back(share * way_m);
+    return !step_.settled;
 }
 
 void GodMotion::slide(const Pose& wanted_W, std::span<const MovingFrame> objects) noexcept {
+    step_.unsettled = step_.settled ? 0 : step_.unsettled + 1;
     step_.settled = false;
+    n_been_ = n_recalled_ = 0;
+    is_checked_ = false;
     bool may_recover = true;
     double longest_m = settings_.gap_m;
-    const bool is_timed = settings_.budget_us > 0.0;
-    const double end_s = is_timed ? monotonic_now_s() + 1.0e-6 * settings_.budget_us : 0.0;
     for (step_.rounds = 0; step_.rounds < settings_.most_rounds; ++step_.rounds) {
-        if (is_timed && step_.rounds > 0 && monotonic_now_s() > end_s) {
-            break;
-        }
         // Where it was stopped short of the gap at rest it is pushed there first: so short a way is as straight as its contacts take it to be.
         const bool recovers = may_recover && step_.least_gap_m < kTooNear * settings_.gap_m;
         may_recover = !recovers;
@@ -346,10 +331,13 @@ bool GodMotion::run_once() noexcept {
     }
     const auto n_objects = static_cast<std::size_t>(goal.n_objects);
     const bool moved = move(goal.held_W, std::span(goal.objects).first(n_objects), true);
+    if (moved && !is_told()) {
+        return true;
+    }
     told_->publish(
         ThriftyWriter<GodContactSet>::kNoRevision,
         [&](GodContactSet& set) {
-            tell(set);
+            (void)tell(set);
             set.stamp_s = goal.stamp_s;
             set.n_placements = goal.n_placements;
             set.is_apart = moved;

@@ -19,6 +19,7 @@
 #include "haptics/tool/god_object_plan.h"
 #include "haptics/tool/god_pair.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,8 +41,9 @@ class GodMotion final : public BesideTask {
     /// A step. False, and the tool stands still, where it overlaps an object in the first one after it was placed. `asks_near`: whether something is near
     /// must be told even where no contact presses.
     bool move(const Pose& held_W, std::span<const MovingFrame> objects, bool asks_near) noexcept;
-    /// Where it got, and what may press there; the stamp and the placements are the caller's.
-    void tell(GodContactSet& set) const noexcept;
+    /// Where it got, and what may press there; the stamp and the placements are the caller's. False, and what presses is left as it was told, where the
+    /// step was not settled: on its way the tool may touch nothing. After kMostHeld such steps what there is is told.
+    bool tell(GodContactSet& set) const noexcept;
     /// The newest goal's step; false where there is no new one.
     bool run_once() noexcept override;
 
@@ -64,6 +66,10 @@ class GodMotion final : public BesideTask {
     [[nodiscard]] Vector6 find_allowed(const Pose& wanted_W) noexcept;
     // With contacts that are too near pushing the tool back, or only not letting it nearer.
     [[nodiscard]] const LeastConstraint& solve(const Vector6& wanted, bool pushes) noexcept;
+    void add(std::size_t i, const GodContact& contact, bool pushes) noexcept;
+    [[nodiscard]] bool acts(std::size_t k) const noexcept;
+    void recall() noexcept;
+    void forget_idle() noexcept;
     // How much of the way it, and the objects theirs, may go.
     [[nodiscard]] double find_free_share(const Vector6& way) noexcept;
     [[nodiscard]] Vector6 find_carried() const noexcept;
@@ -71,11 +77,18 @@ class GodMotion final : public BesideTask {
     [[nodiscard]] Pose find_object_W(std::size_t i, double share) const noexcept;
     void advance(const Vector6& way, double share) noexcept;
     [[nodiscard]] bool have_arrived() const noexcept;
+    [[nodiscard]] bool is_held() const noexcept;
+    [[nodiscard]] bool comes_back(double gone_m) noexcept;
     void collect() noexcept;
     void collect_within() noexcept;
     void look_farther(double way_m, double share, bool recovers) noexcept;
     // Told of a set (god_motion_told.cpp).
+    static constexpr int kMostHeld = 20;
+    [[nodiscard]] bool is_told() const noexcept {
+        return step_.settled || step_.unsettled >= kMostHeld;
+    }
     [[nodiscard]] bool may_press(const GodContact& contact) const noexcept;
+    void tell_presses(GodContactSet& set) const noexcept;
     [[nodiscard]] bool find_near(bool asks_near) noexcept;
     [[nodiscard]] double find_friction(std::size_t i, const GodContact& contact) const noexcept;
     [[nodiscard]] Vector3 find_felt_normal_W(std::size_t i, const GodContact& contact,
@@ -112,6 +125,19 @@ class GodMotion final : public BesideTask {
     bool is_near_ = false;
     bool is_cut_ = false;  // the way of this round, not by what touches
     GodObjectStep step_{};
+    // What held the tool when something else stopped it: with both it goes along the groove between them. Of this step.
+    struct Recalled {
+        std::size_t object = 0;
+        GodContact contact{};
+        Vector3 on_tool_T{Vector3::Zero()};
+    };
+    static constexpr std::size_t kMostRecalled = 8;
+    std::array<Recalled, kMostRecalled> recalled_{};
+    std::size_t n_recalled_ = 0;
+    bool is_checked_ = false;
+    // Where the tool was before the last rounds of this step, the newest first.
+    std::array<Pose, 6> been_W_{};
+    std::size_t n_been_ = 0;
 };
 
 }  // namespace fulcrum

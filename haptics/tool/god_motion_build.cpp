@@ -7,8 +7,8 @@ namespace fulcrum {
 namespace {
 
 std::size_t find_capacity(const std::vector<GodObjectPlan>& plans,
-                          const GodObjectSettings& settings) {
-    return plans.size() * static_cast<std::size_t>(settings.most_contacts);
+                          const GodObjectSettings& settings, std::size_t n_recalled) {
+    return plans.size() * static_cast<std::size_t>(settings.most_contacts) + n_recalled;
 }
 
 }  // namespace
@@ -22,8 +22,8 @@ GodMotion::GodMotion(const std::vector<GodObjectPlan>& plans, const GodObjectSet
       has_friction_(has_friction(plans)),
       is_followed_(has_friction_ || has_texture(plans)),
       slips_(plans.size()),
-      solver_(has_friction_ ? 0 : find_capacity(plans, settings)),
-      dragging_(has_friction_ ? find_capacity(plans, settings) : 0),
+      solver_(has_friction_ ? 0 : find_capacity(plans, settings, kMostRecalled)),
+      dragging_(has_friction_ ? find_capacity(plans, settings, kMostRecalled) : 0),
       reach_m_(find_reach_m(plans)) {
     if (channels_ != nullptr) {
         told_.emplace(channels_->set);

@@ -82,16 +82,23 @@ double GodMotion::find_press_share(const GodContact& contact) const noexcept {
     return std::clamp((kPressGaps - gaps) / (kPressGaps - 1.0), 0.0, 1.0);
 }
 
-void GodMotion::tell(GodContactSet& set) const noexcept {
+bool GodMotion::tell(GodContactSet& set) const noexcept {
     set.step = step_;
     set.is_near = is_begun_ && is_near_;
     set.tool_W = pose_W_;
     set.n_objects = static_cast<std::int32_t>(pairs_.size());
-    set.n = 0;
     // Where all objects are, though there may be no room for what presses on the last of them.
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
         set.objects[i] = {objects_W_[i], slips_[i].from_OT, slips_[i].to_OT};
     }
+    if (is_told()) {
+        tell_presses(set);
+    }
+    return is_told();
+}
+
+void GodMotion::tell_presses(GodContactSet& set) const noexcept {
+    set.n = 0;
     for (std::size_t i = 0; i < pairs_.size() && is_begun_; ++i) {
         const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
         for (const GodContact& contact : pairs_[i].contacts()) {

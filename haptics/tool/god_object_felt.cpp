@@ -157,7 +157,13 @@ ToolFelt GodObjectTool::tell_felt(const Pose& handle_W, bool is_new) noexcept {
     const GodObjectStep step = last_step();
     felt.effort.n_looks = step.rounds + 1;
     felt.effort.n_points = step.contacts;
-    felt.effort.in_time = !is_new || step.settled;
+    // Of a motion beside each step is told once, with those before it that were not.
+    const bool is_told = settings_.own_motion || is_new;
+    const bool is_settled = step.settled && (settings_.own_motion || step.unsettled == 0);
+    felt.effort.tell(ToolLack::unsettled, is_told && !is_settled);
+    felt.effort.tell(ToolLack::wedged, is_told && step.wedged);
+    felt.effort.tell(ToolLack::crowded, is_told && step.too_many);
+    felt.effort.tell(ToolLack::inexact, !force_.is_exact());
     return felt;
 }
 

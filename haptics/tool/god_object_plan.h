@@ -28,11 +28,8 @@ struct GodObjectSettings {
     double step_share = 0.5;      ///< k_s of the way to the handle a step; above 0, to 1
     double gap_m = 1.0e-6;        ///< delta, 1e-8 to 1e-3; half of the tightest clearance at most
     double fade_s = 0.05;         ///< of what a new set of contacts changes of the force; 0 to 1
-    int most_rounds = 12;         ///< a step, 1 to 1000
-    /// Of a step, by the machine's clock: after it no round is begun but the first, and the rest of the way goes on in the next step. 0: as
-    /// long as it takes; else 1 to 1e5.
-    double budget_us = 0.0;
-    int most_contacts = 2048;  ///< of an object, 1 to 65536
+    int most_rounds = 100;        ///< a step, 1 to 1000; counted, so that no clock tells a force
+    int most_contacts = 2048;     ///< of an object, 1 to 65536
     bool own_motion = true;    ///< a step goes its way itself; else work beside does (god_motion.h)
     ContactAgeSettings age{};  ///< then, of the sets of contacts that it told
 };
@@ -68,6 +65,7 @@ struct GodObjectStep {
     int contacts = 0;          ///< where it ended
     double least_gap_m = 0.0;  ///< of those; infinite without any
     bool settled = true;       ///< nothing was left to go; else it goes on in the next step
+    int unsettled = 0;         ///< steps before it, in a row, that were not
     bool wedged = false;       ///< objects wait for room: they are not where they were said to be
     bool too_many = false;     ///< contacts; those left out are kept off by the sweep alone
 };

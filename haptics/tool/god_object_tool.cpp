@@ -48,18 +48,19 @@ bool GodObjectTool::is_free(std::span<const MovingFrame> objects) const noexcept
 
 // The motion's step, here.
 GodObjectTool::News GodObjectTool::go(const Pose& held_W, std::span<const MovingFrame> objects,
-                                      bool is_felt) noexcept {
+                                      bool was_felt) noexcept {
     if (listener_ != nullptr) {
         listener_->begins_round();
     }
-    const bool moved = motion_->move(held_W, objects, is_felt);
-    if (moved) {
-        motion_->tell(*own_set_);
+    News news = News::overlaps;
+    if (motion_->move(held_W, objects, was_felt)) {
+        news = motion_->tell(*own_set_) ? News::learnt : News::none;
+        pose_W_ = own_set_->tool_W;
     }
     if (listener_ != nullptr) {
         listener_->ended_round();
     }
-    return moved ? News::learnt : News::overlaps;
+    return news;
 }
 
 void GodObjectTool::tell_goal(const Pose& held_W, std::span<const MovingFrame> objects,
@@ -87,11 +88,12 @@ ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFr
         return nothing;
     }
     const Pose held_W = find_held_W(handle.pose_W);
-    const Wrench before = force_.compute(held_W);
+    const bool was_felt = is_felt(force_.compute(held_W));
+    force_.keep(held_W);
     // What holds the tool.
     News news = News::none;
     if (settings_.own_motion) {
-        news = go(held_W, objects, is_felt(before));
+        news = go(held_W, objects, was_felt);
     } else {
         tell_goal(held_W, objects, now_s);
         news = take_set();
@@ -108,7 +110,7 @@ ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFr
         age_.step(now_s, is_known_ ? set().stamp_s : -1.0, dt_s);
     }
     // What that is felt like.
-    force_.blend(before, held_W, dt_s, is_known_ && set().is_near);
+    force_.blend(held_W, dt_s, is_known_ && set().is_near);
     tell_touches();
     if (is_new) {
         tell_texture(since_s_);

@@ -4,8 +4,10 @@
 //   1  wanted     u = k_s (x_h - x_s), a shift and a rotation vector about the centre of mass
 //   2  allowed    d = argmin 1/2 (d - u)^T M (d - u)   with   n_k . (d_G + d_theta x r_k) >= delta - g_k + n_k . d_object     (least_constraint.h)
 //   3  gone       as far as continuous collision lets go along d: not nearer than a quarter of delta, and of what there was   (mesh_sweep.h)
-//   4  again from 2 with what is left of u, until nothing moves, or by less than a fiftieth of what a round of the step has gone; what is
-//      left then, or after `most_rounds`, goes on in the next step. It is way that is free to go, so nothing of it is felt
+//   4  again from 2 with what is left of u, until nothing moves, or by less than a fiftieth of what a round of the step has gone and all that
+//      holds it presses, or it only comes back to where it was; what is left then is way that is free to go, so nothing of it is felt.
+//      Stopped by what it did not know of it goes on along both, for what held it before is recalled
+//      After `most_rounds` it is not settled, which is told: it goes on in the next step, and the last contacts that were settled are felt
 //   5  felt       by the contacts there (god_force.h), in directions that turn evenly where a surface is shaded (god_shading.h), and
 //                 the relief of what they lie on (god_texture.h)
 // With friction, where an object has it, 2 is friction_constraint.h: contacts hold along themselves by up to mu of what they push, and slip against
@@ -16,8 +18,8 @@
 // and the tool before them; where a round so gets less than a tenth of its way, for that is bent, the tool is carried by the nearest of them, at rest on it.
 // Between objects that close upon it the tool is wedged: then they are held where they touched, which is told, and catch up when there is room.
 //
-// What is felt of a tool that nothing is within 16 delta of is 0, to the bit, in that very step, however it came there and whatever `fade_s` is. Lifted
-// it comes off without a step of the force; slipped off an edge with one, which the safety gate's slew limit stretches (loop/safety.h).
+// What is felt of a tool that nothing is within 16 delta of is 0, to the bit, 10 ms later, however it came there and whatever `fade_s` is. Lifted it
+// comes off without a step of the force; slipped off an edge the force ends within that time.
 //
 // Motion (1 to 4, god_motion.h) and force (5) are apart, as in the source: a step takes the newest set of contacts that the motion told, and makes the
 // force from it and from where the handle is now. With `own_motion` each step is one of the motion first; else that is for a thread beside, as fast as it
@@ -95,7 +97,7 @@ class GodObjectTool final : public ToolSolver, public BesideSolver {
     // How the newest set of contacts came by.
     enum class News { none, overlaps, learnt };
     [[nodiscard]] News go(const Pose& held_W, std::span<const MovingFrame> objects,
-                          bool is_felt) noexcept;
+                          bool was_felt) noexcept;
     void tell_goal(const Pose& held_W, std::span<const MovingFrame> objects, double now_s) noexcept;
     [[nodiscard]] News take_set() noexcept;
     // Taken last; counts where it is known.

@@ -28,10 +28,13 @@ std::size_t find_most_presses(const std::vector<GodObjectPlan>& plans,
 
 GodForceSettings make_force_settings(const std::vector<GodObjectPlan>& plans,
                                      const GodObjectSettings& settings) {
+    const ToolCouplingSettings& coupling = settings.coupling;
     return {.inertia = settings.inertia,
-            .stiffness_N_per_m = settings.coupling.shift.stiffness_N_per_m,
+            .stiffness_N_per_m = coupling.shift.stiffness_N_per_m,
             .step_share = settings.step_share,
             .fade_s = settings.fade_s,
+            .most_N = coupling.shift.stiffness_N_per_m * coupling.clamp_m,
+            .most_Nm = coupling.turn.stiffness_Nm_per_rad * coupling.clamp_rad,
             .has_friction = has_friction(plans)};
 }
 
@@ -75,7 +78,6 @@ Expected<void> validate(const GodObjectSettings& settings) {
          {"gap_m", settings.gap_m, kSmallestGap_m, kLargestGap_m},
          {"fade_s", settings.fade_s, 0.0, 1.0},
          {"most_rounds", static_cast<double>(settings.most_rounds), 1.0, 1000.0},
-         {"budget_us", settings.budget_us, settings.budget_us == 0.0 ? 0.0 : 1.0, 1.0e5},
          {"most_contacts", static_cast<double>(settings.most_contacts), 1.0, kMostContacts}}};
     return check_ranges("the tool's", ranges);
 }

@@ -179,6 +179,8 @@ ToolFelt ImplicitPenaltyTool::move(const MovingFrame& handle, std::span<const Mo
     ToolFelt felt = feel(coupling, held, now_s);
     felt.moved = result.moved();
     felt.effort = {result.n_solves, model().n_near, 0.0, !model().is_cut};
+    felt.effort.tell(ToolLack::inexact, result.status == StepStatus::iterations_spent &&
+                                            settings_.newton_iterations > 1);
     return felt;
 }
 

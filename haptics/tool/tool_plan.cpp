@@ -123,7 +123,6 @@ GodObjectSettings make_god_object_settings(const ToolPlan& plan) {
                           settings.coupling.shift.stiffness_N_per_m);
     made.grip_T = settings.grip_T;
     made.handle_turn = settings.handle_turn;
-    made.budget_us = settings.budget_us;
     made.own_motion = !plan.beside;
     made.age = plan.age;
     return made;

@@ -246,6 +246,8 @@ ToolEffort SampledTool<Sampling, Plan>::tell_effort(const VoxelToolResult& resul
                               : result.contact.error_N;
     ToolEffort effort{n_looks, time_.n_points(), std::min(result.contact.error_N, most_N),
                       result.step.status != StepStatus::out_of_time};
+    effort.tell(ToolLack::inexact, result.step.status == StepStatus::iterations_spent &&
+                                       settings_.integrator.newton_iterations > 1);
     for (const Sampling& sampling : samplings_) {
         effort.n_points += count_points(sampling, n_looks);
     }

@@ -49,13 +49,13 @@ class GodWatch {
     ToolFelt step(const Pose& handle, double dt_s = test::kGodDt_s) {
         const ToolFelt felt = scene_.god.move({handle, {}}, scene_.frames, 0.0, dt_s);
         n_standing_ += felt.moved ? 0 : 1;
-        look(felt);
+        look(felt, dt_s);
         return felt;
     }
     /// A step that may be refused, for what is told is no pose or time.
     ToolFelt try_step(const Pose& handle, double dt_s = test::kGodDt_s) {
         const ToolFelt felt = scene_.god.move({handle, {}}, scene_.frames, 0.0, dt_s);
-        look(felt);
+        look(felt, dt_s);
         return felt;
     }
     /// Where nothing moves but the tool and nothing rubs: the coupling is not more stretched than before the step.
@@ -100,9 +100,10 @@ class GodWatch {
   private:
     static constexpr std::size_t kMostPairs = 4000;  // of triangles: as many are looked at
     static constexpr double kNearGaps = 16.0;
+    static constexpr double kEnds_s = 0.0101;  // in which a force ends that nothing is near
     static constexpr double kRounding_J = 1.0e-9;
 
-    void look(const ToolFelt& felt) {
+    void look(const ToolFelt& felt, double dt_s) {
         ++n_steps_;
         n_crossing_ += scene_.is_inside() ? 1 : 0;
         n_none_ += is_finite(felt.felt_W) && is_finite(scene_.god.pose_W()) ? 0 : 1;
@@ -111,10 +112,13 @@ class GodWatch {
         }
         const double felt_N = felt.felt_W.force.norm();
         most_N_ = worse(most_N_, felt_N);
-        if (is_small_ && scene_.god.last_step().least_gap_m > near_m_ &&
-            (felt_N > 1.0e-9 || felt.felt_W.torque.norm() > 1.0e-9)) {
-            n_felt_free_ += is_far() ? 1 : 0;
+        if (!is_small_) {
+            return;
         }
+        const bool is_felt = felt_N > 1.0e-9 || felt.felt_W.torque.norm() > 1.0e-9;
+        const bool is_away = is_felt && scene_.god.last_step().least_gap_m > near_m_ && is_far();
+        away_s_ = is_away ? away_s_ + std::max(dt_s, 0.0) : 0.0;
+        n_felt_free_ += away_s_ > kEnds_s ? 1 : 0;
     }
     // From all objects, by more than a tool may still be felt at.
     [[nodiscard]] bool is_far() const {
@@ -137,6 +141,7 @@ class GodWatch {
     double per_mass_m2_;
     double recovers_m_;
     bool is_small_ = true;
+    double away_s_ = 0.0;  // felt with nothing near, in a row
     int n_steps_ = 0;
     int n_crossing_ = 0;
     int n_standing_ = 0;

@@ -54,6 +54,7 @@ constexpr double kNothing_N = 1.0e-4;  // what ends a fade
 
 constexpr double kNear_m = 16.0e-6;  // 16 gaps at rest
 constexpr double kRounding_m = 1.0e-12;
+constexpr int kEndsSteps = 10;    // in which a force ends that nothing is near
 constexpr double kHalf_m = 0.02;  // of the tool, a cube
 constexpr int kBlended = 1200;    // steps in which any set of contacts is blended in
 
@@ -188,7 +189,8 @@ TEST_CASE("god-object jolts: contacts that come and go change the force by a ste
     double most_change_N = 0.0;  // of the contacts' own force
     double left_N = 0.0;         // felt when that begins to end
     int n_free = 0;              // steps without a push
-    int n_dropped = 0;           // and with nothing near, as the force before was not yet gone
+    int n_away = 0;              // and with nothing near
+    int n_dropped = 0;           // of these, as the force before was not yet gone
     for (int i = 0; i < 16000; ++i) {
         velocity = 0.98 * velocity + 0.004 * random.in_cube() -
                    0.006 * (handle.position - Vector3(0.0, 0.068, 0.0));
@@ -204,25 +206,32 @@ TEST_CASE("god-object jolts: contacts that come and go change the force by a ste
         CAPTURE(mu, i, before.force, contacts, felt.felt_W.force);
         const double apart_m = test::find_distance_m(block, {}, cube, tool.pose_W());
         if (apart_m > kNear_m + kRounding_m) {
-            REQUIRE(felt.felt_W.force == Vector3::Zero());
-            REQUIRE(felt.felt_W.torque == Vector3::Zero());
+            // Evenly, to nothing.
+            const int n_left = kEndsSteps - n_away++;
+            const double ends = n_left > 1 ? 1.0 / n_left : 1.0;
+            REQUIRE(felt.felt_W.force.norm() <= (1.001 - ends) * before.force.norm() + kNothing_N);
+            REQUIRE((n_left > 1 || felt.felt_W.force == Vector3::Zero()));
+            REQUIRE((n_left > 1 || felt.felt_W.torque == Vector3::Zero()));
             n_dropped += before.force.norm() > 0.01 ? 1 : 0;
             n_free = 0;
             continue;
         }
+        n_away = 0;
         // After 5 ms without a push it fades evenly.
         n_free = contacts == Vector3::Zero() ? n_free + 1 : 0;
         left_N = n_free > 5 ? left_N : before.force.norm();
+        // At once no more than 0.4 of what the contacts before held, which is what these hold to a tenth.
         const double most_N =
-            std::max(lost * change_N, n_free > 5 ? left_N * test::kGodDt_s / fade_s : 0.0);
+            std::max(lost * change_N, n_free > 5 ? left_N * test::kGodDt_s / fade_s : 0.0) +
+            0.45 * contacts.norm();
         REQUIRE((felt.felt_W.force - before.force).norm() <=
                 1.001 * most_N + kNothing_N + 1.0e-9 * kStiffness);
     }
-    CHECK(most_change_N > 5.0);
+    CHECK(most_change_N > 1.0);
     CHECK(n_dropped > 3);
 }
 
-TEST_CASE("god-object in the free: nothing is felt in any step in which nothing is near") {
+TEST_CASE("god-object in the free: nothing is felt 10 ms after something was near") {
     test::GodScene scene = make_scene({0.06, 0.05, 0.07});
     Random random(21);
     Pose handle = Pose::at({0.0, 0.1, 0.0});
@@ -230,6 +239,7 @@ TEST_CASE("god-object in the free: nothing is felt in any step in which nothing 
     Vector3 velocity = Vector3::Zero();
     int n_away = 0;
     int n_loaded = 0;
+    int n_in_a_row = 0;
     double last_N = 0.0;
     for (int i = 0; i < 12000; ++i) {
         velocity = 0.98 * velocity + 0.004 * random.in_cube() -
@@ -247,9 +257,13 @@ TEST_CASE("god-object in the free: nothing is felt in any step in which nothing 
         if (find_distance_m(scene) > kNear_m + kRounding_m) {
             ++n_away;
             n_loaded += last_N > 0.5 ? 1 : 0;
-            REQUIRE(felt.felt_W.force == Vector3::Zero());
-            REQUIRE(felt.felt_W.torque == Vector3::Zero());
-            REQUIRE(scene.god.force(handle).force == Vector3::Zero());
+            REQUIRE(felt.felt_W.force.norm() <= last_N);
+            const bool is_over = ++n_in_a_row >= kEndsSteps;
+            REQUIRE((!is_over || felt.felt_W.force == Vector3::Zero()));
+            REQUIRE((!is_over || felt.felt_W.torque == Vector3::Zero()));
+            REQUIRE((!is_over || scene.god.force(handle).force == Vector3::Zero()));
+        } else {
+            n_in_a_row = 0;
         }
         last_N = felt.felt_W.force.norm();
     }
@@ -287,7 +301,7 @@ TEST_CASE("god-object in the free: lifted, the force goes to zero without a step
     }
 }
 
-TEST_CASE("god-object in the free: off an edge it is felt no longer, behind the gate too") {
+TEST_CASE("god-object in the free: off an edge it ends within 10 ms, behind the gate too") {
     test::GodScene scene = make_scene({0.1, 0.04, 0.1});
     const SafetySettings safety;
     SafetyGate gate(safety);
@@ -313,14 +327,16 @@ TEST_CASE("god-object in the free: off an edge it is felt no longer, behind the 
         most_drop_N = std::max(most_drop_N, (felt.felt_W.force - asked_N).norm());
         CHECK((passed.force - sent_N).norm() <= slew_N + safety.max_transient_N);
         if (find_distance_m(scene) > kNear_m + kRounding_m) {
-            CHECK(felt.felt_W.force == Vector3::Zero());
-            CHECK(felt.felt_W.torque == Vector3::Zero());
             n_free = x > 0.0 ? n_free + 1 : 0;
-            CHECK((n_free < safety.max_force_N / slew_N || passed.force == Vector3::Zero()));
+            CHECK((n_free < kEndsSteps || felt.felt_W.force == Vector3::Zero()));
+            CHECK((n_free < kEndsSteps || felt.felt_W.torque == Vector3::Zero()));
+            CHECK((n_free < kEndsSteps + safety.max_force_N / slew_N ||
+                   passed.force == Vector3::Zero()));
         }
         asked_N = felt.felt_W.force;
         sent_N = passed.force;
     }
-    CHECK(most_drop_N > 4.0 * slew_N);
+    CHECK(most_drop_N > 0.1);
+    CHECK(most_drop_N < 0.1 * kStiffness * 0.009);
     CHECK(n_free > 100);
 }

@@ -219,10 +219,10 @@ TEST_CASE("god-object peg: in a hole a thousandth wider it goes in, turns and co
         bool by_hand;
         double most_share;
     };
-    // Four times as fast it still presses aside as it leaves the hole; one that nothing moves off its course goes as the others.
+    // What the contacts change by little is felt as it is. One that nothing moves off its course goes as the others.
     const auto course =
-        GENERATE(Course{0.5, true, 0.02}, Course{1.0, true, 0.02}, Course{2.0, true, 0.02},
-                 Course{4.0, true, 0.07}, Course{1.0, false, 0.02});
+        GENERATE(Course{0.5, true, 0.06}, Course{1.0, true, 0.06}, Course{2.0, true, 0.03},
+                 Course{3.0, true, 0.04}, Course{4.0, true, 0.06}, Course{1.0, false, 0.04});
     PegTrial trial;
     REQUIRE(trial.peg.triangles().size() == 288);
     REQUIRE(trial.block.triangles().size() == 280);
@@ -236,6 +236,8 @@ TEST_CASE("god-object peg: in a hole a thousandth wider it goes in, turns and co
     CHECK(found.end_m > PegTrial::kAbove_m);
     CHECK(found.most_N > 0.5);
     CHECK(found.share() <= course.most_share);
+    CHECK((!course.by_hand || found.most_step_Nm <= 0.1 * found.most_Nm));
+    CHECK(found.n_unsettled < found.n_steps / 100);
     CHECK((course.speed < 4.0 || found.share() > 0.005));
 }
 

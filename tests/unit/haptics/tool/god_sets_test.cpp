@@ -97,8 +97,9 @@ struct Change {
 template <class Put>
 Change change_set(GodForce& force, const Pose& handle, Put put, bool is_near = true) {
     const Wrench before = force.compute(handle);
+    force.keep(handle);
     put(force);
-    force.blend(before, handle, kDt_s, is_near);
+    force.blend(handle, kDt_s, is_near);
     return {before, force.compute(handle)};
 }
 
@@ -268,7 +269,7 @@ TEST_CASE("god force: a new set that pushes the other way, and less, goes on fro
     CHECK(back.step_N() < 1.01 * (1.0 - kept) * (back.before.force.norm() + kStiffness * 0.0001));
 }
 
-TEST_CASE("god force: lifted nothing pulls, and where nothing is near nothing is felt, at once") {
+TEST_CASE("god force: lifted nothing pulls, and where nothing is near all ends within 10 ms") {
     GodForce force = make_force();
     force.begin(Pose{});
     (void)change_set(force, kPressed, put_on_floor);
@@ -280,13 +281,39 @@ TEST_CASE("god force: lifted nothing pulls, and where nothing is near nothing is
     force = make_force();
     const Pose handle{Vector3(0.0, -kDepth_m, 0.0), compute_exp(Vector3(0.1, 0.0, 0.0))};
     put_on_floor(force);
-    const Change off = change_set(force, handle, put_nothing, false);
-    REQUIRE(off.before.force.norm() > 1.0);
-    REQUIRE(off.before.torque.norm() > 1.0e-3);
-    CHECK(off.after.force == Vector3::Zero());
-    CHECK(off.after.torque == Vector3::Zero());
+    const Wrench pressed = force.compute(handle);
+    REQUIRE(pressed.force.norm() > 1.0);
+    REQUIRE(pressed.torque.norm() > 1.0e-3);
+    for (int n = 1; n <= 12; ++n) {
+        const Change off = change_set(force, handle, put_nothing, false);
+        CAPTURE(n);
+        CHECK(off.step_N() <= 0.101 * pressed.force.norm());
+        CHECK((n < 10) == (off.after.force != Vector3::Zero()));
+        CHECK((n < 10) == (off.after.torque != Vector3::Zero()));
+    }
     // Nothing of it comes back beside the next thing.
     CHECK(change_set(force, Pose{}, put_on_floor).after.force.norm() < 1.0e-12);
+}
+
+// A floor that leans, so that a set turns the force by `turn_rad`.
+TEST_CASE("god force: what turns from facet to facet is felt at once, what turns farther fades") {
+    for (const double turn_rad : {0.02, 0.1, 0.35, 0.5}) {
+        GodForce force = make_force();
+        put_on_floor(force);
+        const Vector3 normal(std::sin(turn_rad), std::cos(turn_rad), 0.0);
+        const Change turned = change_set(force, kPressed, [&](GodForce& to) {
+            to.begin(Pose{});
+            REQUIRE(to.add({0.0, 0.0, 0.0}, normal, 0.0));
+        });
+        const Vector3 wanted_N = kStiffness * kDepth_m * normal.y() * normal;
+        const double whole_N = (wanted_N - turned.before.force).norm();
+        CAPTURE(turn_rad);
+        if (turn_rad < 0.4) {
+            CHECK((turned.after.force - wanted_N).norm() < 1.0e-9);
+        } else {
+            CHECK(turned.step_N() < 1.01 * whole_N * kDt_s / kFade_s);
+        }
+    }
 }
 
 TEST_CASE("god force: a tool that slips free beside something fades in 5 ms and the fade's time") {
