@@ -10,6 +10,7 @@
 #include "haptics/base/felt.h"
 #include "haptics/handover/messages.h"
 
+#include <array>
 #include <cstdint>
 
 namespace fulcrum::runtime {
@@ -17,12 +18,16 @@ namespace fulcrum::runtime {
 /// Rounds of the first hand.
 struct FeltRounds {
     std::uint64_t all = 0;
-    std::uint64_t possible = 0;  ///< in which a force can be felt
-    std::uint64_t felt = 0;      ///< of those
+    std::uint64_t possible = 0;                       ///< in which a force can be felt
+    std::uint64_t felt = 0;                           ///< of those
+    std::array<std::uint64_t, kToolLacks> lacking{};  ///< steps of the tool, by ToolLack
     FeltRounds& operator+=(const FeltRounds& other) noexcept {
         all += other.all;
         possible += other.possible;
         felt += other.felt;
+        for (std::size_t i = 0; i < kToolLacks; ++i) {
+            lacking[i] += other.lacking[i];
+        }
         return *this;
     }
     /// Of what is possible; 0 where nothing is.
@@ -45,6 +50,9 @@ class FeltWatch {
         ++rounds_.all;
         rounds_.possible += can_be ? 1 : 0;
         rounds_.felt += can_be && felt_N > kLeastFelt_N ? 1 : 0;
+        for (std::size_t i = 0; i < kToolLacks; ++i) {
+            rounds_.lacking[i] += state.tool.lacks[i] ? 1 : 0;
+        }
     }
     [[nodiscard]] const FeltRounds& rounds() const noexcept { return rounds_; }
 

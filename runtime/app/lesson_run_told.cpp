@@ -1,5 +1,6 @@
 // What a run tells a person at the terminal; for lesson_run.cpp.
 #include "runtime/app/lesson_run.h"
+#include "runtime/app/tool_lacks.h"
 
 #include <array>
 #include <cstdio>
@@ -44,6 +45,10 @@ std::vector<std::string> LessonRun::losses() const {
         tell(tool.n_inexact, text.data());
     }
     tell(tool.n_cut, "steps of the tool ended before its solver did, to end in time.");
+    for (std::size_t i = 0; i < kToolLacks; ++i) {
+        tell(tool.n_lacking[i],
+             (std::string("steps of the tool ") + kToolLackWords[i] + ".").c_str());
+    }
     if (const ContactLateness* const late = haptic_loop_->contact_lateness();
         late != nullptr && late->n_late() > 0) {
         std::array<char, 160> text{};

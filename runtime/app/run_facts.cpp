@@ -3,6 +3,7 @@
 #include "haptics/base/processor.h"
 #include "haptics/base/sha256.h"
 #include "haptics/device/replay/recorded_traits.h"
+#include "haptics/tool/tool_plan.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/app/program_build.h"
 #include "runtime/evidence/record_words.h"
@@ -91,7 +92,9 @@ std::string_view word_of(HandKind kind) {
 void add_options(const FactSources& run, Facts& facts) {
     facts.add("option.seed", std::to_string(run.request.seed));
     facts.add(kClockFact, run.request.plan.live ? kRealTime : "virtual");
-    if (run.request.plan.live && run.plan.haptic.tool) {
+    const bool is_timed =
+        run.plan.haptic.tool && run.lesson.hand.tool->method != ToolMethod::god_object;
+    if (run.request.plan.live && is_timed) {
         facts.add(kToolTimeFact, find_budget_us(run.lesson.hand));
     }
     facts.add("option.hand", std::string(word_of(run.request.hand)));
@@ -155,6 +158,10 @@ void add_plan(const FactSources& run, Facts& facts) {
         facts.add("plan.tool", std::string(name_of(tool.method)));
         if (tool.contact != ContactFinding::fields) {
             facts.add("plan.tool contact", std::string(name_of(tool.contact)));
+        }
+        if (tool.method == ToolMethod::god_object) {
+            // The budget of its steps, which no clock tells.
+            facts.add("plan.tool rounds", make_god_object_settings(*haptic.tool).most_rounds);
         }
         if (has_thread(tool)) {
             facts.add("option.contact",

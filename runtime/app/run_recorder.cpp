@@ -1,5 +1,6 @@
 #include "runtime/app/run_recorder.h"
 
+#include "runtime/app/tool_lacks.h"
 #include "runtime/evidence/record_words.h"
 
 #include <algorithm>
@@ -137,11 +138,18 @@ void RunRecorder::keep_effort(double time_s, const ToolEffort& effort) {
         keep(time_s, RecordEventKind::cut, kNoBody,
              std::to_string(effort.n_cut - effort_.n_cut) + " steps ended before their solver did");
     }
+    for (std::size_t i = 0; i < kToolLacks; ++i) {
+        if (effort.n_lacking[i] != effort_.n_lacking[i]) {
+            keep(time_s, RecordEventKind::cut, kNoBody,
+                 std::to_string(effort.n_lacking[i] - effort_.n_lacking[i]) + " steps " +
+                     kToolLackWords[i]);
+        }
+    }
     if (effort.n_inexact != effort_.n_inexact) {
         keep(time_s, RecordEventKind::cut, kNoBody,
              std::to_string(effort.n_inexact - effort_.n_inexact) +
-                 " steps left out points, the force off by at most " +
-                 exact_text(effort.most_error_N) + " N so far");
+                 " steps left out points that may hold up to " + exact_text(effort.most_error_N) +
+                 " N so far");
     }
     effort_ = effort;
 }

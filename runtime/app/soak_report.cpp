@@ -2,6 +2,7 @@
 
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/tool_lacks.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kMostGrowth_MB = 64.0;  // allocators keep what was freed
 constexpr double kRound_s = 0.001;
+constexpr double kMostLacking = 0.01;             // of a lesson's rounds
 constexpr double kLeastFelt = 0.4;                // of the time in which a lesson can give a force
 constexpr double kLeastOfAll = 0.1;               // of all its time
 constexpr std::uint64_t kJudgedRounds = 120'000;  // fewer are chance
@@ -89,6 +91,18 @@ std::string SoakSum::find_seldom_felt() const {
     return {};
 }
 
+std::string SoakSum::find_lacking() const {
+    for (const auto& [lesson, rounds] : felt) {
+        for (std::size_t i = 0; i < kToolLacks; ++i) {
+            if (static_cast<double>(rounds.lacking[i]) >
+                kMostLacking * static_cast<double>(rounds.all)) {
+                return lesson + " steps of the tool " + kToolLackWords[i];
+            }
+        }
+    }
+    return {};
+}
+
 void tell_soak(const std::string& lesson, std::uint64_t seed, double seconds, const SoakRun& run) {
     std::printf(
         "%-13s %-7s seed %-6llu %6.0f s, %4.0f times real time, %4.0f times its processor time, "
@@ -143,6 +157,12 @@ std::string describe_soak(const SoakSum& sum, const SoakGrowth& growth) {
             "Felt in %s: a force in %.0f %% of the %.0f s in which it can be, of %.0f s.\n",
             lesson.c_str(), 100.0 * rounds.share(), possible_s, all_s);
         text += all.data();
+        for (std::size_t i = 0; i < kToolLacks; ++i) {
+            if (rounds.lacking[i] > 0) {
+                text += "In " + lesson + " " + std::to_string(rounds.lacking[i]) +
+                        " steps of the tool " + kToolLackWords[i] + ".\n";
+            }
+        }
     }
     return text + "Deadlines under the virtual clock: " + std::to_string(sum.n_deadlines) +
            " met.\n";
@@ -171,6 +191,13 @@ int conclude_soak(const SoakSum& sum, bool all, const SoakGrowth& growth) {
                          "let its simulated hand touch, lift and stroke more, and go back to where "
                          "things are"},
                         1);
+    }
+    if (const std::string lacking = sum.find_lacking(); !lacking.empty()) {
+        return complain(
+            {"more than a hundredth of the steps were short of something: in " + lacking,
+             {},
+             "look for what the tool is caught in there, or give it other contacts"},
+            1);
     }
     return sum.failed
                ? complain({"something went wrong that may not; the lines that say FAILED tell "

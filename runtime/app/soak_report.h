@@ -43,6 +43,8 @@ class SoakSum {
     /// The lesson that was played long enough to be judged and gave a force in less than a third of the time in which it can, or
     /// a tenth of all; empty for none.
     [[nodiscard]] std::string find_seldom_felt() const;
+    /// The lesson in which more than a hundredth of the tool's steps were short of the same, and of what; empty for none.
+    [[nodiscard]] std::string find_lacking() const;
 
     std::array<std::uint64_t, kSpoils> happened{};
     std::array<std::uint64_t, kSpoils> faded{};

@@ -2,6 +2,7 @@
 
 #include "haptics/base/clock.h"
 #include "haptics/tool/tool_plan.h"
+#include "runtime/app/tool_lacks.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/plan_hands.h"
 
@@ -32,26 +33,23 @@ double quantile(std::vector<float>& sorted, double share) {
                : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-// How far a tool's force may be off, by what its method knows of itself; no number where nothing bounds it.
-StageError find_force_error(const ToolPlan* tool, double most_left_out_N) {
+// What nothing measures here: how far the force is off that of the true surfaces.
+StageError tell_unmeasured(const ToolPlan& tool) {
     constexpr double kUnbounded = std::numeric_limits<double>::quiet_NaN();
-    if (tool != nullptr && tool->penalty) {
-        return {"force off", kUnbounded, "N",
-                "bodies that do not give: contacts are springs, and a few stand for many"};
-    }
-    const auto* const god =
-        tool != nullptr ? std::get_if<std::vector<GodObjectPlan>>(&tool->objects) : nullptr;
+    const auto* const god = std::get_if<std::vector<GodObjectPlan>>(&tool.objects);
     if (god == nullptr) {
-        return {"force off by at most", most_left_out_N, "N",
-                "all points looked at that may touch"};
+        return {"force off", kUnbounded, "N",
+                tool.penalty
+                    ? "bodies that do not give: contacts are springs, and a few stand for many"
+                    : "bodies that do not give: points stand for the tool, and their contacts are "
+                      "springs"};
     }
     const bool rubs = std::ranges::any_of(
         *god, [](const GodObjectPlan& object) { return object.friction.any(); });
-    if (rubs) {
-        return {"force off", kUnbounded, "N", "Coulomb's law: answers among many contacts are cut"};
-    }
-    return {"force off by at most", find_wall_error_N(make_god_object_settings(*tool)), "N",
-            "walls met at their surface (at an angle: over the sine of its half)"};
+    return {"force off", kUnbounded, "N",
+            rubs ? "Coulomb's law: answers among many contacts are cut"
+                 : "bodies that do not give: what contacts change by more than facets do comes "
+                   "in within 0.05 s"};
 }
 
 }  // namespace
@@ -170,7 +168,21 @@ void StageClock::compare(const HapticState& state,
 }
 
 void StageClock::add_tool_errors(StageFigures& figures) const {
-    figures.errors.push_back(find_force_error(plan_.haptic.tool.get(), tool_.most_error_N));
+    if (plan_.haptic.tool) {
+        figures.errors.push_back(tell_unmeasured(*plan_.haptic.tool));
+    }
+    if (tool_.n_inexact > 0) {
+        figures.errors.push_back({"force that a budget left out at most", tool_.most_error_N, "N",
+                                  "all points looked at that may touch"});
+    }
+    for (std::size_t i = 0; i < kToolLacks; ++i) {
+        if (tool_.n_lacking[i] > 0) {
+            figures.errors.push_back({std::string("steps that ") + kToolLackWords[i],
+                                      static_cast<double>(tool_.n_lacking[i]),
+                                      "of them",
+                                      {}});
+        }
+    }
     figures.errors.push_back({"points looked at in a step at most",
                               1e-3 * static_cast<double>(most_points_),
                               "thousand",

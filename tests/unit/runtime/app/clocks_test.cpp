@@ -3,9 +3,12 @@
 #include "runtime/app/deadline_watch.h"
 #include "runtime/app/felt_notes.h"
 #include "runtime/app/stage_clock.h"
+#include "runtime/app/tool_lacks.h"
 #include "tests/unit/runtime/rig.h"
 
 #include <chrono>
+#include <cmath>
+#include <string>
 #include <thread>
 
 using namespace fulcrum::runtime::test;
@@ -177,24 +180,32 @@ TEST_CASE("stage clock: of a tool it tells what was looked at, was off and took 
         state.tool = {.n_looks = 3 + i,
                       .n_points = 9000 - 1000 * i,
                       .error_N = 0.0,
-                      .most_error_N = 0.02 * i};
+                      .most_error_N = 0.02 * i,
+                      .n_inexact = 2,
+                      .n_lacking = {static_cast<std::uint64_t>(i), 0, 0, 7}};
         clock.compare(state, std::nullopt);
     }
     const Analysis analysis = clock.finish(1.0, 1.0);
     const StageFigures* const tool = find(analysis, plan.stages.size() - 1);
     REQUIRE(tool != nullptr);
     CHECK(tool->calls == 4);
-    REQUIRE(tool->errors.size() == 4);
+    REQUIRE(tool->errors.size() == 6);
+    CHECK(tool->errors[0].what == "force that a budget left out at most");
     CHECK(tool->errors[0].value == Approx(0.06));
     CHECK(tool->errors[0].unit == "N");
-    CHECK(tool->errors[1].value == Approx(9.0));
-    CHECK(tool->errors[2].value == 6.0);
-    CHECK(tool->errors[3].value >= 25.0);
-    CHECK(tool->errors[3].against == "500 us");
+    // Steps that were not settled, and those that ended before their tolerance; of the others there was none.
+    CHECK(tool->errors[1].what == std::string("steps that ") + kToolLackWords[0]);
+    CHECK(tool->errors[1].value == 3.0);
+    CHECK(tool->errors[2].what == std::string("steps that ") + kToolLackWords[3]);
+    CHECK(tool->errors[2].value == 7.0);
+    CHECK(tool->errors[3].value == Approx(9.0));
+    CHECK(tool->errors[4].value == 6.0);
+    CHECK(tool->errors[5].value >= 25.0);
+    CHECK(tool->errors[5].against == "500 us");
 }
 
-TEST_CASE("stage clock: a tool's force is told with the bound that its method has, or none") {
-    const auto find_error = [](ToolPlan tool) {
+TEST_CASE("stage clock: how far a tool's force is off is told as not bounded, by no constant") {
+    const auto find_errors = [](ToolPlan tool) {
         Plan plan = make_plan();
         plan.haptic.tool = std::make_shared<const ToolPlan>(std::move(tool));
         plan.stages.push_back(stage("haptic", "tool"));
@@ -202,21 +213,21 @@ TEST_CASE("stage clock: a tool's force is told with the bound that its method ha
         clock.begin();
         clock.passed(HapticStage::tool);
         clock.compare(HapticState{}, std::nullopt);
-        return find(clock.finish(1.0, 1.0), plan.stages.size() - 1)->errors.front();
+        return find(clock.finish(1.0, 1.0), plan.stages.size() - 1)->errors;
     };
     const auto cube = GodSurface::create(make_box({0.04, 0.04, 0.04}).value());
     ToolPlan god{.objects = std::vector<GodObjectPlan>{{cube, cube}}};
-    god.settings.coupling.shift.stiffness_N_per_m = 700.0;
-    // A gap at rest of a micrometre.
-    CHECK(find_error(god).value == Approx(7.0e-4));
-    CHECK(find_error(god).unit == "N");
-    std::get<std::vector<GodObjectPlan>>(god.objects).front().friction = {0.5, 0.4, 0.0};
-    CHECK(std::isnan(find_error(god).value));
+    ToolPlan rubbing = god;
+    std::get<std::vector<GodObjectPlan>>(rubbing.objects).front().friction = {0.5, 0.4, 0.0};
     ToolPlan penalty;
     penalty.penalty.emplace();
-    CHECK(std::isnan(find_error(penalty).value));
-    // Of points that are all looked at nothing is left out.
-    CHECK(find_error(ToolPlan{}).value == 0.0);
+    for (const ToolPlan& tool : {god, rubbing, penalty, ToolPlan{}}) {
+        const auto errors = find_errors(tool);
+        CHECK(std::isnan(errors.front().value));
+        CHECK_FALSE(errors.front().against.empty());
+        // Nothing was left out and nothing lacking.
+        CHECK(errors.size() == 4);
+    }
 }
 
 TEST_CASE("stage clock: it knows whether the hand moved at all") {

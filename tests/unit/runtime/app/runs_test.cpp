@@ -96,6 +96,7 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
     touching.world = &world;
     touching.hand.touched_body = 4;
     touching.hand.tool.n_cut = 3;
+    touching.hand.tool.n_lacking = {2, 1, 4, 5};
     ContactLateness lateness;
     ContactAge contact({});
     contact.step(1.0, 0.95, 0.001);
@@ -143,6 +144,15 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
         {RecordEventKind::finished, 0.0053, kNoBody, "score 6, 2 of 3 stars"},
         {RecordEventKind::touched, 0.0055, 4, ""},
         {RecordEventKind::cut, 0.0055, kNoBody, "3 steps ended before their solver did"},
+        {RecordEventKind::cut, 0.0055, kNoBody,
+         "2 steps were not settled within their rounds: the last force that was is felt"},
+        {RecordEventKind::cut, 0.0055, kNoBody,
+         "1 steps were wedged: bodies that close upon it wait where they touched"},
+        {RecordEventKind::cut, 0.0055, kNoBody,
+         "4 steps had more contacts than there is room for: those left out are not felt"},
+        {RecordEventKind::cut, 0.0055, kNoBody,
+         "5 steps ended before their solver was within its tolerance: the best that it found is "
+         "felt"},
         {RecordEventKind::cut, 0.0055, kNoBody,
          "1 steps gave less force, for contact was found too late: up to 0.125 s so far"},
         {RecordEventKind::failed, 0.006, kNoBody, "lesson.lua:3: no."}};

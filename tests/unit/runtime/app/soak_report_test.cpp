@@ -1,0 +1,40 @@
+#include "runtime/app/soak_report.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+SoakSum sum_of(const SoakRun& run) {
+    SoakSum sum;
+    sum.add("lever", run);
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("soak: a lesson whose tool's steps are short of something is named, and fails") {
+    FeltWatch watch;
+    HapticState state;
+    for (int i = 0; i < 1000; ++i) {
+        state.tool.lacks = {};
+        state.tool.tell(ToolLack::unsettled, i < 11);
+        state.tool.tell(ToolLack::wedged, i < 9);
+        watch.hands_stepped(state, 0.0, true, false);
+    }
+    SoakRun run;
+    run.felt = watch.rounds();
+    const SoakSum sum = sum_of(run);
+    CHECK(describe_soak(sum, {}).find("11 steps of the tool were not settled") !=
+          std::string::npos);
+    CHECK(describe_soak(sum, {}).find("9 steps of the tool were wedged") != std::string::npos);
+    CHECK(sum.find_lacking().find("not settled") != std::string::npos);
+    CHECK(conclude_soak(sum, false, {}) == 1);
+    run.felt.lacking = {10, 9, 0, 0};
+    CHECK(sum_of(run).find_lacking().empty());
+    CHECK(conclude_soak(sum_of(run), false, {}) == 0);
+}
