@@ -72,12 +72,17 @@ Worst press_all(const DeclaredWall& as) {
 }
 
 constexpr double kPressed_N = 0.02;  // the softest wall, 4 mm deep, under dry friction
+// Beyond what the scene gives, most of it the encoder's steps: docs/safety.md, Walls.
+constexpr double kMostExcess_J = 5.0e-4;
+constexpr double kMostExcessFast_J = 3.0e-3;  // at 2 kHz and more
 constexpr int kLeastWalls = 3 * 15;
 
 void check_all(const DeclaredWall& as) {
     const Worst worst = press_all(as);
-    CAPTURE(as.rate_Hz, as.link_delay_s.value_or(0.0), worst.swing_m, worst.n, worst.n_softer);
+    CAPTURE(as.rate_Hz, as.link_delay_s.value_or(0.0), as.is_dry, worst.excess_J, worst.swing_m,
+            worst.n, worst.n_softer);
     CHECK(worst.n >= kLeastWalls);
+    CHECK(worst.excess_J < (as.rate_Hz > 1000.0 ? kMostExcessFast_J : kMostExcess_J));
     CHECK(worst.least_N > kPressed_N);
 }
 
