@@ -225,27 +225,37 @@ bool GodMotion::comes_back(double gone_m) noexcept {
                        is_here);
 }
 
+void GodMotion::note_been() noexcept {
+    std::rotate(been_W_.begin(), been_W_.end() - 1, been_W_.end());
+    been_W_.front() = pose_W_;
+    n_been_ = std::min(n_been_ + 1, been_W_.size());
+}
+
+// A way as short is none.
+double GodMotion::find_none_m(bool recovers, double longest_m) const noexcept {
+    return recovers || step_.rounds == 0 || !is_held() ? settings_.gap_m * kSettledShare
+                                                       : longest_m * kSettlesNext;
+}
+
+// Nothing is left to go; once without what is recalled, that may no longer lie where the tool is.
+bool GodMotion::settle() noexcept {
+    step_.settled = n_recalled_ == 0 || is_checked_;
+    is_checked_ = true;
+    n_recalled_ = step_.settled ? n_recalled_ : 0;
+    return step_.settled;
+}
+
 // One round; whether another may get farther.
 bool GodMotion::slide_once(const Pose& wanted_W, std::span<const MovingFrame> objects,
                            bool recovers, double& longest_m) noexcept {
     set_goals(objects);
     Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
     const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
-    const double none_m = recovers || step_.rounds == 0 || !is_held()
-                              ? settings_.gap_m * kSettledShare
-                              : longest_m * kSettlesNext;
     if (!recovers) {
         forget_idle();
     }
-    if (way_m <= none_m && have_arrived()) {
-        // Once without what is recalled: it may no longer lie where the tool is.
-        if (!recovers && n_recalled_ > 0 && !is_checked_) {
-            is_checked_ = true;
-            n_recalled_ = 0;
-            return true;
-        }
-        step_.settled = !recovers;
-        return recovers;
+    if (way_m <= find_none_m(recovers, longest_m) && have_arrived()) {
+        return recovers || !settle();
     }
     longest_m = std::max(longest_m, recovers ? 0.0 : way_m);
     double share = find_free_share(way);
@@ -277,9 +287,7 @@ bool GodMotion::slide_once(const Pose& wanted_W, std::span<const MovingFrame> ob
     if (!recovers && share < 1.0 && !is_cut_) {
         recall();
     }
-    std::ranges::rotate(been_W_, been_W_.end() - 1);
-    been_W_.front() = pose_W_;
-    n_been_ = std::min(n_been_ + 1, been_W_.size());
+    note_been();
     advance(way, share);
     look_farther(way_m, share, recovers);
     collect();

@@ -27,6 +27,7 @@ struct Drawn {
     double worst = 0.0;  // of the force's size, against stiffness times depth
     double drag = 0.0;   // the work of a whole wave, over what presses
     int n_unsettled = 0;
+    double held_off_N = 0.0;  // in those, from what the contacts before give there
     std::vector<Wrench> felt;
 };
 
@@ -52,9 +53,13 @@ Drawn draw(const GodWaves& waves, double tip_m, double facets, const GodObjectSe
     double way_m = 0.0;
     for (int i = 1; i <= 2 * n_wave; ++i) {
         const Pose hand = hand_at(from_m + step_m * i, kDepth_m);
+        const Vector3 held_N = tool.force(hand).force;
         const Wrench felt = test::move_to(tool, hand).felt_W;
         drawn.felt.push_back(felt);
-        drawn.n_unsettled += tool.last_step().settled ? 0 : 1;
+        if (!tool.last_step().settled) {
+            ++drawn.n_unsettled;
+            drawn.held_off_N = std::max(drawn.held_off_N, (felt.force - held_N).norm());
+        }
         if (i > n_wave) {
             const Vector3 way =
                 hand.position - hand_at(from_m + step_m * (i - 1), kDepth_m).position;
@@ -92,6 +97,7 @@ TEST_CASE(
     const Drawn drawn = draw(waves, 0.001, 2.0, settings);
     CHECK(drawn.n_unsettled > 10);
     // By the facets where it was settled last, a step or a few behind.
+    CHECK(drawn.held_off_N < 1.0e-4);
     CHECK(drawn.worst < 0.1);
 }
 
