@@ -47,6 +47,15 @@ class WorkWatch {
     std::size_t n_;
 };
 
+template <class Work>
+void do_piece(const Work& work, std::size_t piece, WorkWatch& watch) {
+    if constexpr (std::is_invocable_v<const Work&, std::size_t, WorkWatch&>) {
+        work(piece, watch);
+    } else {
+        work(piece);
+    }
+}
+
 /// Calls work(piece), or work(piece, watch), once for each of 0 to n - 1, on `n_threads` threads at most. False where it was stopped: then
 /// some pieces are not done. What a piece throws on whatever thread is thrown here, once no thread works any more.
 template <class Work>
@@ -64,11 +73,7 @@ bool parallel_for(std::size_t n, std::size_t n_threads, const Work& work,
                 if (!watch.goes_on()) {
                     return false;
                 }
-                if constexpr (std::is_invocable_v<const Work&, std::size_t, WorkWatch&>) {
-                    work(i, watch);
-                } else {
-                    work(i);
-                }
+                do_piece(work, i, watch);
             }
         } catch (...) {
             if (!has_failed.exchange(true)) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMostGrowth_MB = 64.0;  // allocators keep what was freed
 constexpr double kRound_s = 0.001;
-constexpr double kMostLacking = 0.01;             // of a lesson's rounds
+constexpr double kMostLacking = 0.02;             // of a lesson's rounds
 constexpr double kLeastFelt = 0.4;                // of the time in which a lesson can give a force
 constexpr double kLeastOfAll = 0.1;               // of all its time
 constexpr std::uint64_t kJudgedRounds = 120'000;  // fewer are chance
@@ -94,8 +94,8 @@ std::string SoakSum::find_seldom_felt() const {
 std::string SoakSum::find_lacking() const {
     for (const auto& [lesson, rounds] : felt) {
         for (std::size_t i = 0; i < kToolLacks; ++i) {
-            if (static_cast<double>(rounds.lacking[i]) >
-                kMostLacking * static_cast<double>(rounds.all)) {
+            if (rounds.all >= kJudgedRounds && static_cast<double>(rounds.lacking[i]) >
+                                                   kMostLacking * static_cast<double>(rounds.all)) {
                 return lesson + " steps of the tool " + kToolLackWords[i];
             }
         }
@@ -185,7 +185,7 @@ int conclude_soak(const SoakSum& sum, bool all, const SoakGrowth& growth) {
     }
     if (const std::string lesson = sum.find_seldom_felt(); all && !lesson.empty()) {
         return complain({"in " + lesson +
-                             " a force was felt in less than a third of the time in which "
+                             " a force was felt in less than two fifths of the time in which "
                              "it can be, or a tenth of all, so little is known of its forces",
                          {},
                          "let its simulated hand touch, lift and stroke more, and go back to where "
@@ -193,11 +193,10 @@ int conclude_soak(const SoakSum& sum, bool all, const SoakGrowth& growth) {
                         1);
     }
     if (const std::string lacking = sum.find_lacking(); !lacking.empty()) {
-        return complain(
-            {"more than a hundredth of the steps were short of something: in " + lacking,
-             {},
-             "look for what the tool is caught in there, or give it other contacts"},
-            1);
+        return complain({"more than a fiftieth of the steps were short of something: in " + lacking,
+                         {},
+                         "look for what the tool is caught in there, or give it other contacts"},
+                        1);
     }
     return sum.failed
                ? complain({"something went wrong that may not; the lines that say FAILED tell "

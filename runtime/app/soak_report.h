@@ -43,7 +43,7 @@ class SoakSum {
     /// The lesson that was played long enough to be judged and gave a force in less than a third of the time in which it can, or
     /// a tenth of all; empty for none.
     [[nodiscard]] std::string find_seldom_felt() const;
-    /// The lesson in which more than a hundredth of the tool's steps were short of the same, and of what; empty for none.
+    /// The lesson in which more than a fiftieth of the tool's steps were short of the same, and of what; empty for none.
     [[nodiscard]] std::string find_lacking() const;
 
     std::array<std::uint64_t, kSpoils> happened{};

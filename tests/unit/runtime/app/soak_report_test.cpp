@@ -20,21 +20,21 @@ SoakSum sum_of(const SoakRun& run) {
 TEST_CASE("soak: a lesson whose tool's steps are short of something is named, and fails") {
     FeltWatch watch;
     HapticState state;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 120'000; ++i) {
         state.tool.lacks = {};
-        state.tool.tell(ToolLack::unsettled, i < 11);
-        state.tool.tell(ToolLack::wedged, i < 9);
+        state.tool.tell(ToolLack::unsettled, i < 2401);
+        state.tool.tell(ToolLack::wedged, i < 2399);
         watch.hands_stepped(state, 0.0, true, false);
     }
     SoakRun run;
     run.felt = watch.rounds();
     const SoakSum sum = sum_of(run);
-    CHECK(describe_soak(sum, {}).find("11 steps of the tool were not settled") !=
+    CHECK(describe_soak(sum, {}).find("2401 steps of the tool were not settled") !=
           std::string::npos);
-    CHECK(describe_soak(sum, {}).find("9 steps of the tool were wedged") != std::string::npos);
+    CHECK(describe_soak(sum, {}).find("2399 steps of the tool were wedged") != std::string::npos);
     CHECK(sum.find_lacking().find("not settled") != std::string::npos);
     CHECK(conclude_soak(sum, false, {}) == 1);
-    run.felt.lacking = {10, 9, 0, 0};
+    run.felt.lacking = {2400, 2399, 0, 0};
     CHECK(sum_of(run).find_lacking().empty());
     CHECK(conclude_soak(sum_of(run), false, {}) == 0);
 }
