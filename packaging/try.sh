@@ -47,6 +47,8 @@ begun=$SECONDS
 claim "apt installs it with all that it depends on" inside $apt install --no-install-recommends /fulcrum.deb
 echo "  in $((SECONDS - begun)) s, what it depends on being fetched before"
 inside useradd --create-home --home-dir /pupil --groups audio pupil
+claim "an ordinary user plays" pupil 'fulcrum run gravity --headless --seconds 8'
+echo "  $((SECONDS - begun)) s after its installation began, eight seconds of the lesson gravity are played, the first force among them"
 
 claim "the program starts, with its manual page, menu entry, icon, rules and limits" pupil '
     fulcrum --version

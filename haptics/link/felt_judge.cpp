@@ -48,9 +48,19 @@ FeltLimit FeltJudge::judge(const FeltLimits& limits, const FeltRound& round) noe
         is_open ? lasting_N_ + cut(cut(round.asked.force, limits.force_N) - lasting_N_, reach_N)
                 : felt_N;
     const Vector3 beyond_N = felt_N - lasting_N_;
-    const double counted_s = std::min(round.dt_s, kLongestStep_s);
-    impulse_Ns_ += (beyond_N - impulse_Ns_ / kImpulseMemory_s) * counted_s;
-    ringing_N2s_ += (beyond_N.squaredNorm() - ringing_N2s_ / kRingingMemory_s) * counted_s;
+    // What was felt before was held until now.
+    const double more_s = round.dt_s - counted_s_;
+    const double kept_s = std::min(round.dt_s, kLongestStep_s);
+    impulse_Ns_ = (impulse_Ns_ + beyond_before_N_ * more_s) * (1.0 - kept_s / kImpulseMemory_s);
+    ringing_N2s_ = (ringing_N2s_ + beyond_before_N_.squaredNorm() * more_s) *
+                   (1.0 - kept_s / kRingingMemory_s);
+    // A round that came late, or a slew that became less, may have left them beyond: not further then.
+    const double most_Ns = std::max(limits.transient_Ns, impulse_Ns_.norm());
+    const double most_N2s = std::max(limits.transient_N2s, ringing_N2s_);
+    impulse_Ns_ += beyond_N * round.dt_s;
+    ringing_N2s_ += beyond_N.squaredNorm() * round.dt_s;
+    counted_s_ = round.dt_s;
+    beyond_before_N_ = beyond_N;
     felt_before_ = round.felt;
 
     struct Rule {
@@ -63,8 +73,8 @@ FeltLimit FeltJudge::judge(const FeltLimits& limits, const FeltRound& round) noe
         Rule{FeltLimit::slew, step_N, reach_N + (is_open ? 2.0 * limits.transient_N : ended_N)},
         Rule{FeltLimit::torque_slew, step_Nm, limits.slew_Nm_per_s * round.dt_s},
         Rule{FeltLimit::transient, beyond_N.norm(), limits.transient_N},
-        Rule{FeltLimit::impulse, impulse_Ns_.norm(), limits.transient_Ns},
-        Rule{FeltLimit::ringing, ringing_N2s_, limits.transient_N2s}};
+        Rule{FeltLimit::impulse, impulse_Ns_.norm(), most_Ns},
+        Rule{FeltLimit::ringing, ringing_N2s_, most_N2s}};
     // NaN is below nothing.
     const auto* broken = std::ranges::find_if_not(
         rules, [](const Rule& rule) { return rule.value <= rule.most + kRounding; });

@@ -71,9 +71,11 @@ class FeltJudge {
 
   private:
     Wrench felt_before_{};
-    Vector3 lasting_N_{Vector3::Zero()};   // b
-    Vector3 impulse_Ns_{Vector3::Zero()};  // I
-    double ringing_N2s_ = 0.0;             // Q
+    Vector3 lasting_N_{Vector3::Zero()};        // b
+    Vector3 beyond_before_N_{Vector3::Zero()};  // t of the last round
+    double counted_s_ = 0.0;                    // for so long it is counted
+    Vector3 impulse_Ns_{Vector3::Zero()};       // I
+    double ringing_N2s_ = 0.0;                  // Q
 };
 
 }  // namespace fulcrum

@@ -14,6 +14,8 @@ constexpr double kBelowLimit = 1.0 - 1.0e-12;
 constexpr double kArrived = 1.0e-6;     // newtons and newton metres together
 constexpr double kSoftEnd = 3.0;        // from two thirds of a bound on a transient becomes less
 constexpr double kForgotten = 1.0e-40;  // (N s)^2 and N^2 s; what goes on to shrink becomes slow
+constexpr double kLeastSlew_N_per_s = 10.0;
+constexpr double kMostSlew_N_per_s = 5000.0;
 constexpr double kShortestPeriod_s = 1.0 / kMostRate_Hz;
 constexpr double kLongestPeriod_s = 1.0 / 1000.0;
 
@@ -29,7 +31,7 @@ SafetySettings clamped(const SafetySettings& asked) noexcept {
     SafetySettings s = asked;
     s.max_force_N = clamped(asked.max_force_N, 0.0, kHardForceCap_N, 0.0);
     s.max_torque_Nm = clamped(asked.max_torque_Nm, 0.0, kHardTorqueCap_Nm, 0.0);
-    s.max_slew_N_per_s = clamped(asked.max_slew_N_per_s, 0.0, 5000.0, 0.0);
+    s.max_slew_N_per_s = clamped(asked.max_slew_N_per_s, 0.0, kMostSlew_N_per_s, 0.0);
     // Who wants slower changes wants smaller blows.
     const double share = std::min(s.max_slew_N_per_s / SafetySettings{}.max_slew_N_per_s, 1.0);
     s.max_transient_N = share * clamped(asked.max_transient_N, 0.0, kMostTransient_N, 0.0);
@@ -64,9 +66,12 @@ Vector3 approached(const Vector3& from, const Vector3& target, double reach,
     return shortened(next, from.norm() + growth);
 }
 
-// The largest s of 0 to 1 with |from + s way| <= most, where |from| <= most.
+// The largest s of 0 to 1 with |from + s way| <= most; of a `from` beyond that no more than what leads back.
 double find_share_within(const Vector3& from, const Vector3& way, double most) noexcept {
     const double a = way.squaredNorm();
+    if (!(a > 0.0)) {
+        return 1.0;
+    }
     const double b = from.dot(way);
     const double c = std::max(most * most * kBelowLimit - from.squaredNorm(), 0.0);
     return (from + way).squaredNorm() > most * most * kBelowLimit
@@ -102,7 +107,9 @@ SafetyGate::SafetyGate(const SafetySettings& settings, double period_s) noexcept
 
 void SafetyGate::limit_slew(double max_slew_N_per_s) noexcept {
     SafetySettings slower = asked_;
-    slower.max_slew_N_per_s = std::min(asked_.max_slew_N_per_s, max_slew_N_per_s);
+    slower.max_slew_N_per_s = std::min(
+        asked_.max_slew_N_per_s,
+        clamped(max_slew_N_per_s, kLeastSlew_N_per_s, kMostSlew_N_per_s, kLeastSlew_N_per_s));
     settings_ = clamped(slower);
 }
 
@@ -149,7 +156,8 @@ double SafetyGate::find_most_Nm(double dt_s) const noexcept {
 
 bool SafetyGate::stays_rising(double dt_s) const noexcept {
     return phase_ == GatePhase::rising &&
-           rise_age_s_ + std::min(dt_s, kLongestStep_s) <= settings_.soft_start_s;
+           (opened_at_rest_ ||
+            rise_age_s_ + std::min(dt_s, kLongestStep_s) <= settings_.soft_start_s);
 }
 
 double SafetyGate::find_growth_N(double dt_s) const noexcept {
@@ -175,6 +183,9 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s,
                    shortened(commanded_D.torque, settings_.max_torque_Nm * kBelowLimit)};
     }
     judge(commanded_D, rise_dt_s, hand_m_per_s);
+    if (time_is_good) {
+        count_held(dt_s);
+    }
     forget(rise_dt_s);
     switch (phase_) {
         case GatePhase::waiting:
@@ -256,21 +267,33 @@ void SafetyGate::follow(const Wrench& limited, double dt_s) noexcept {
                                 growth_N * torque_per_force_m_);
     output_D_ = base_D_;
     if (phase_ == GatePhase::open) {
-        output_D_.force += ring(limited.force - base_D_.force, dt_s);
+        counted_s_ = std::max(dt_s, period_s_);
+        transient_N_ = ring(limited.force - base_D_.force, counted_s_);
+        output_D_.force += transient_N_;
     }
     const double left =
         (base_D_.force - limited.force).norm() + (base_D_.torque - limited.torque).norm();
     opened_at_rest_ = opened_at_rest_ && left > kArrived;
 }
 
+// The last t was held for `dt_s`, whatever it was thought to be.
+void SafetyGate::count_held(double dt_s) noexcept {
+    const double more_s = dt_s - counted_s_;
+    impulse_Ns_ += transient_N_ * more_s;
+    ringing_N2s_ = std::max(ringing_N2s_ + transient_N_.squaredNorm() * more_s, 0.0);
+    transient_N_ = Vector3::Zero();
+    counted_s_ = dt_s;
+}
+
 void SafetyGate::forget(double dt_s) noexcept {
     const Vector3 impulse_Ns = impulse_Ns_ * (1.0 - dt_s / kImpulseMemory_s);
     const double ringing_N2s = ringing_N2s_ * (1.0 - dt_s / kRingingMemory_s);
-    impulse_Ns_ = impulse_Ns.squaredNorm() > kForgotten ? impulse_Ns : Vector3(Vector3::Zero());
-    ringing_N2s_ = ringing_N2s > kForgotten ? ringing_N2s : 0.0;
+    // One that is no number stays so: then nothing passes.
+    impulse_Ns_ = impulse_Ns.squaredNorm() <= kForgotten ? Vector3(Vector3::Zero()) : impulse_Ns;
+    ringing_N2s_ = ringing_N2s <= kForgotten ? 0.0 : ringing_N2s;
 }
 
-// t, of what is commanded beyond b; I and Q count it.
+// t, of what is commanded beyond b; I and Q count it as held for `dt_s` from now on.
 Vector3 SafetyGate::ring(const Vector3& beyond_N, double dt_s) noexcept {
     if (!(settings_.transient_Ns > 0.0) || !(settings_.transient_N2s > 0.0)) {
         return Vector3::Zero();

@@ -8,7 +8,8 @@
 //             has a torque); t is what is commanded less b, |t| <= max_transient, softly less as I or Q come near their bounds:
 //             I <- I (1 - dt / kImpulseMemory_s) + t dt      |I| <= transient_Ns
 //             Q <- Q (1 - dt / kRingingMemory_s) + |t|^2 dt   Q <= transient_N2s
-//             In other phases t = 0, and I and Q are forgotten as fast; no fault nor stop empties them
+//             dt: the time since the last call, or a period where that is longer, for which t is about to be held; the next call puts right
+//             for how long it was. In other phases t = 0, and I and Q are forgotten as fast; no fault nor stop empties them
 //   fading    any fault: t ends at once, and what of b points along f is f_0: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then
 //             waiting; each call counts as one period at least, so that no clock can hold a force that should go
 //   stopped   emergency stop: the same fade, then 0 until `reset`
@@ -21,9 +22,12 @@
 //   of energy      (2 transient_Ns)^2 / 2 m to a mass m that rests and is free              18 mJ to a handle of 45 g, 0.8 mJ to a hand of 1 kg
 //   a buzz         sqrt(transient_N2s (1 / kRingingMemory_s + 1 / D)) in the root mean      0.45 N for ever, 0.51 N in any second;
 //                  square of any D seconds, at any frequency                                one of 4 N is softer from 3 ms on
+//   where a call   comes d later than the one before it led to expect: t is held for so      max_transient d, 0.06 N s in 15 ms, more
+//                  long, and what it was more counts in I and Q: nothing more then
 // Proof. Summed from call i to j the recursions give sum t dt = I_j - I_i + sum I dt / kImpulseMemory_s: in a time that is short against the
-// memory, at most 2 transient_Ns; and sum |t|^2 dt <= transient_N2s (1 + D / kRingingMemory_s). `ring` scales t so that both bounds hold after
-// each call, whatever was commanded, and b + t lies between b and what is commanded, both below max_force.
+// memory, at most 2 transient_Ns; and sum |t|^2 dt <= transient_N2s (1 + D / kRingingMemory_s). `ring` scales t so that neither leaves its bound,
+// or goes further beyond one that a late call or a smaller slew left it at, whatever was commanded; and b + t lies between b and what is commanded,
+// both below max_force. In a longer time a t of one sign may stay, of transient_Ns / kImpulseMemory_s, 0.4 N, at most.
 // Limits scale the whole vector, so that its direction stays: f <- f min(1, max_force / |f|). Torque
 // obeys the same laws with every rate multiplied by max_torque / max_force. A call longer than
 // kLongestStep_s rises no further than one of that length. The last instruction compares with the
@@ -75,7 +79,7 @@ class SafetyGate {
         const Wrench& commanded_D, Fault faults, double dt_s,
         double hand_m_per_s = std::numeric_limits<double>::infinity()) noexcept;
 
-    /// From now on no faster than that either, newtons a second; transients are as much less.
+    /// From now on no faster than that either, 10 newtons a second or more; transients are as much less. NaN is 10.
     void limit_slew(double max_slew_N_per_s) noexcept;
 
     /// Leaves `stopped` (or any other phase) for `waiting` with zero force: a person has said that
@@ -118,6 +122,7 @@ class SafetyGate {
     void judge(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept;
     [[nodiscard]] bool may_rise(const Wrench& commanded, double dt_s, double hand_m_per_s) noexcept;
     void follow(const Wrench& limited, double dt_s) noexcept;
+    void count_held(double dt_s) noexcept;
     void forget(double dt_s) noexcept;
     [[nodiscard]] Vector3 ring(const Vector3& beyond_N, double dt_s) noexcept;
     void fade(double dt_s) noexcept;
@@ -129,11 +134,13 @@ class SafetyGate {
         0.0;  // max_torque / max_force: the torque law in the force law's units
     GatePhase phase_ = GatePhase::waiting;
     Fault faults_ = Fault::none;
-    Wrench output_D_{};                    // what the last call gave
-    Wrench base_D_{};                      // b: what lasts of it
-    Vector3 impulse_Ns_{Vector3::Zero()};  // I
-    double ringing_N2s_ = 0.0;             // Q
-    Wrench fade_from_D_{};                 // f_0
+    Wrench output_D_{};                     // what the last call gave
+    Wrench base_D_{};                       // b: what lasts of it
+    Vector3 transient_N_{Vector3::Zero()};  // t of the last call
+    double counted_s_ = 0.0;                // for so long I and Q have it held
+    Vector3 impulse_Ns_{Vector3::Zero()};   // I
+    double ringing_N2s_ = 0.0;              // Q
+    Wrench fade_from_D_{};                  // f_0
     double fade_age_s_ = 0.0;
     double rise_age_s_ = 0.0;
     int calm_cycles_ = 0;

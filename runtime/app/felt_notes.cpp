@@ -31,10 +31,14 @@ std::vector<Error> notes_of_felt(std::span<const FeltTime> hands, const std::str
             std::string(hand == 0 ? "the hand" : "the second hand") +
             " was asked to feel a force for " + seconds_text(time.asked_s) +
             (is_unfelt ? " and felt none"
-                       : ", and for " + seconds_text(time.shut_s()) + " of them it felt none");
-        if (time.taken_s > time.waiting_s) {
+                       : ", and for " + seconds_text(time.shut_s()) + " of them it was kept back");
+        if (time.shut_s() <= kMostShut * time.asked_s) {
+            notes.push_back({what + ": its device gives none of the kind that was asked for", where,
+                             "ask for a force as well as a torque"});
+        } else if (time.taken_s > time.waiting_s) {
             notes.push_back({what + ": a fault or a stop had taken it away", where,
-                             "let the hand move more slowly, or ask for less force"});
+                             "see what was told of that, and if the hand was too fast let it move "
+                             "more slowly"});
         } else {
             notes.push_back(
                 {what + ": one that is there from the start waits until the hand has rested for "

@@ -37,7 +37,7 @@ Expected<void> refuse_unstable(const MaterialDescription& material, const WallLo
         best.damping_Ns_per_m >= kLeastKept * wanted.damping_Ns_per_m) {
         return {};
     }
-    return fail(material.felt.name + " would shake in every hand with " + text_of(wanted),
+    return fail(material.felt.name + " would shake in a hand with " + text_of(wanted),
                 at_line(material.line),
                 "the nearest that " + WallHolder{}.name + " holds is " +
                     text_of(fit_wall(wanted, {}, loop)));

@@ -4,7 +4,6 @@
 #include "haptics/device/simulated/human_impedance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -13,7 +12,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr std::array kHands{kFingertip, kArm, kPosture};
 constexpr double kSlowest_per_s = 1.0;  // far below any hand's own swing
 constexpr int kFrequencies = 400;       // to Nyquist: 2 % from one to the next at 1 kHz
 constexpr double kStiffnessStep_N_per_m = 10.0;
@@ -57,7 +55,7 @@ double compute_slew_margin(const CouplingSettings& wall, const WallHolder& holde
 // The same as a margin of 1, and done as soon as one hand shakes.
 bool is_stable(const CouplingSettings& wall, const WallHolder& holder, const WallLoop& loop) {
     return compute_slew_margin(wall, holder, loop) >= 1.0 &&
-           std::ranges::all_of(kHands, [&](const HumanImpedance& hand) {
+           std::ranges::all_of(kHoldingHands, [&](const HumanImpedance& hand) {
                return compute_gain_margin(wall, hand, holder, 1.0 / loop.rate_hz) >= kGainMargin;
            });
 }
@@ -95,7 +93,7 @@ WallHolder make_wall_holder(const DeviceTraits& traits, double link_s) {
 double compute_wall_margin(const CouplingSettings& wall, const WallHolder& holder,
                            const WallLoop& loop) {
     double margin = compute_slew_margin(wall, holder, loop);
-    for (const HumanImpedance& hand : kHands) {
+    for (const HumanImpedance& hand : kHoldingHands) {
         margin = std::min(
             margin, compute_gain_margin(wall, hand, holder, 1.0 / loop.rate_hz) / kGainMargin);
     }

@@ -1,12 +1,12 @@
-// How stiff and damped a wall may be for the device that renders it: what a lesson wants, lowered to what settles in every hand.
+// How stiff and damped a wall may be for the device that renders it: what a lesson wants, lowered to what settles in hands as they were measured.
 //
 // The wall as the loop renders it, held by a hand, is a plant with a delayed spring and damper:
 //   L(jw) = (K + jw B e^(-jw t_v)) e^(-jw D) / (k_h - m w^2 + jw b)        m, b: hand and device together; k_h: the hand's spring
 //   D = T/2 + link      half a period of the hold, and the way to the arm and back
 //   t_v                 half the longest window of the velocity estimator
 // The hand alone comes to rest, so by Nyquist the loop does where L meets the negative real axis nowhere beyond -1. A wall is stable where it meets it
-// nowhere beyond -1 / kGainMargin, for each hand of device/simulated/human_impedance.h: theirs are spring, damper and mass of hands as they were
-// measured. Without B and with D alone that is what K (T/2 + link) < b asks for (Colgate and Brown), where the hand has no spring.
+// nowhere beyond -1 / kGainMargin, for each of kHoldingHands of device/simulated/human_impedance.h: theirs are spring, damper and mass of hands as they were
+// measured, of a fingertip that presses with 2 N and more. Without B and with D alone that is what K (T/2 + link) < b asks for (Colgate and Brown), where the hand has no spring.
 // The gate's slew S and force limit F add a bound. A vibration of a wall has a force between 0 and F at most, so that F/2 w is the most that it asks of
 // the slew: where that is within S the gate adds no lag to it. The fastest is the bare handle's, w^2 = K/m, hence
 //   K <= m (2 S / F)^2

@@ -44,7 +44,7 @@ struct Worst {
 Worst press_all(const DeclaredWall& as) {
     Worst worst;
     for (const Declared& declared : make_walls()) {
-        for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+        for (const HumanImpedance& human : kHoldingHands) {
             DeclaredWall wall = as;
             wall.stiffness_N_per_m = declared.stiffness_N_per_m;
             wall.damping_Ns_per_m = declared.damping_Ns_per_m;
@@ -109,7 +109,7 @@ TEST_CASE(
          {std::optional<double>{}, std::optional<double>{0.0}, std::optional<double>{0.01}}) {
         for (const double stiffness : {100.0, 500.0, 2000.0}) {
             for (const double damping : {0.0, 9.5, 50.0}) {
-                for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+                for (const HumanImpedance& human : kHoldingHands) {
                     const DeclaredWallCourse course =
                         press_declared_wall({.stiffness_N_per_m = stiffness,
                                              .damping_Ns_per_m = damping,

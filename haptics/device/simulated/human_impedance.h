@@ -13,6 +13,8 @@
 // 2005, Modeling the human hand as it interacts with a telemanipulation system, Mechatronics 15.
 #pragma once
 
+#include <array>
+
 namespace fulcrum {
 
 /// Added to the device's own; SI.
@@ -26,9 +28,13 @@ struct HumanImpedance {
 inline constexpr HumanImpedance kNobody{};
 /// A fingertip that presses with 5 N: 93 + 41 * 5 N/m, 6 g, damped at a ratio of 1 (Hajian and Howe).
 inline constexpr HumanImpedance kFingertip{0.006, 2.6, 300.0};
+/// The same that presses with 2 N, the least that was measured.
+inline constexpr HumanImpedance kLightFingertip{0.006, 2.05, 175.0};
 /// One arm in one posture, as fitted (van Beek et al., Fig. 3).
 inline constexpr HumanImpedance kArm{0.554, 6.45, 135.0};
 /// A hand that keeps its posture, in the order of Tsuji et al.; what `SimulatedHand` has.
 inline constexpr HumanImpedance kPosture{1.0, 20.0, 300.0};
+/// Those that hold a device.
+inline constexpr std::array kHoldingHands{kFingertip, kLightFingertip, kArm, kPosture};
 
 }  // namespace fulcrum

@@ -54,13 +54,16 @@ struct Counted {
     double ringing = 0.0;
     double square = 0.0;  // over that window
 
+    // What the call before gave was held for `dt_s`.
     void count(const Pair& pair, double dt_s) {
         const double beyond_N = pair.beyond_N.norm();
-        impulse_Ns = impulse_Ns * (1.0 - dt_s / kImpulseMemory_s) + pair.beyond_N * dt_s;
-        ringing_N2s = ringing_N2s * (1.0 - dt_s / kRingingMemory_s) + beyond_N * beyond_N * dt_s;
-        window_N2s_ += beyond_N * beyond_N * dt_s - squares_N2s[next];
+        const double held_N2s = held_N_.squaredNorm() * dt_s;
+        impulse_Ns = (impulse_Ns + held_N_ * dt_s) * (1.0 - dt_s / kImpulseMemory_s);
+        ringing_N2s = (ringing_N2s + held_N2s) * (1.0 - dt_s / kRingingMemory_s);
+        held_N_ = pair.beyond_N;
+        window_N2s_ += held_N2s - squares_N2s[next];
         window_s_ += dt_s - times_s[next];
-        squares_N2s[next] = beyond_N * beyond_N * dt_s;
+        squares_N2s[next] = held_N2s;
         times_s[next] = dt_s;
         next = (next + 1) % squares_N2s.size();
         force = std::max(force, pair.force_N.norm() / settings.max_force_N);
@@ -72,6 +75,7 @@ struct Counted {
     }
 
   private:
+    Vector3 held_N_{Vector3::Zero()};
     double window_N2s_ = 0.0;
     double window_s_ = 0.0;
 };
@@ -139,7 +143,7 @@ TEST_CASE("safety transients: whatever is commanded, each bound holds at each ca
     Adversary adversary;
     double faded_N = 0.0;  // more than before it, while it fades
     for (int i = 0; i < n_calls; ++i) {
-        const double dt_s = i % 1000 < 20 ? 0.004 : kDt_s;
+        const double dt_s = i % 1000 < 20 ? 0.3 * kDt_s : kDt_s;
         // Often enough that it matters, seldom enough that it is open mostly.
         const bool fails =
             i % 20'000 >= 15'000 && i % 20'000 < 15'000 + 300 && adversary.draw(0, 99) == 0;
@@ -217,6 +221,57 @@ TEST_CASE("safety transients: a buzz for ever, of any frequency, is as weak as i
     CHECK(most_N <= 0.45);
     CHECK(most_N > 0.4);
     CHECK(0.45 == Approx(std::sqrt(settings.transient_N2s / kRingingMemory_s)).margin(0.005));
+}
+
+TEST_CASE("safety transients: a slew that changes drops no force and empties no bound") {
+    SafetyGate steady = open_gate(SafetySettings{}, 0.0);
+    for (int i = 0; i < 20; ++i) {
+        (void)pass(steady, along_x(3.0));
+    }
+    for (const double slew_N_per_s : {100.0, 500.0, 10.0, 0.0, -1.0, std::nan("")}) {
+        steady.limit_slew(slew_N_per_s);
+        CHECK(pass(steady, along_x(3.0)).force.x() == 3.0);
+    }
+    // None holds a force for ever.
+    (void)pass(steady, along_x(0.0), 400);
+    CHECK(pass(steady, along_x(0.0)).force.x() == 0.0);
+    // A blow every fourth round, and a slew that would make nothing of what is counted.
+    double squares_N2[2] = {0.0, 0.0};
+    for (const bool changes : {false, true}) {
+        SafetyGate gate = open_gate(SafetySettings{}, 0.0);
+        for (int i = 0; i < 4000; ++i) {
+            gate.limit_slew(changes && i % 4 == 2 ? 10.0 : 500.0);
+            squares_N2[changes ? 1 : 0] +=
+                pass(gate, along_x(i % 4 == 0 ? 4.4 : 0.0)).force.squaredNorm();
+        }
+    }
+    CHECK(squares_N2[1] <= squares_N2[0]);
+}
+
+TEST_CASE("safety transients: one that is held for longer than it was meant for counts so long") {
+    // Calls that come early and late in turn, each late one with a blow that is held.
+    SafetyGate uneven = open_gate(SafetySettings{}, 0.0);
+    double held_N2s = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        const bool hits = i % 2 == 0;
+        const Vector3 force_N =
+            uneven.pass(along_x(hits ? 4.0 : 0.0), Fault::none, hits ? 0.0001 : 0.0019).force;
+        held_N2s += force_N.squaredNorm() * (hits ? 0.0019 : 0.0001);
+    }
+    // What lasts is a tenth of a newton at most, and a blow is counted 0.9 ms late.
+    const SafetySettings settings;
+    const double late_N2s = settings.max_transient_N * settings.max_transient_N * 0.0009;
+    CHECK(std::sqrt(held_N2s / 4.0) <
+          0.1 + std::sqrt((settings.transient_N2s + late_N2s) / kRingingMemory_s));
+    // After a call that came 15 ms late nothing more is pushed the same way before that is forgotten.
+    Pair late;
+    late.pass(Vector3(4.0, 0.0, 0.0));
+    late.pass(Vector3::Zero(), 0.015);
+    for (int i = 0; i < 40; ++i) {
+        late.pass(Vector3(5.0, 0.0, 0.0));
+        CHECK(late.beyond_N.norm() < 1e-9);
+        late.pass(Vector3(0.0, 0.0, 0.0));
+    }
 }
 
 TEST_CASE("safety transients: at a fault one ends at once, and no stop or fault gives another") {

@@ -336,9 +336,13 @@ TEST_CASE("felt notes: a hand that felt nothing, or little of what was asked for
          "start waits until the hand has rested for half a second; let the hand rest, or let the "
          "force begin at nothing."},
         {{.asked_s = 10.0, .felt_s = 4.0, .waiting_s = 1.0, .taken_s = 5.0},
-         "x: the hand was asked to feel a force for 10.0 s, and for 6.0 s of them it felt none: a "
-         "fault or a stop had taken it away; let the hand move more slowly, or ask for less "
-         "force."},
+         "x: the hand was asked to feel a force for 10.0 s, and for 6.0 s of them it was kept "
+         "back: "
+         "a fault or a stop had taken it away; see what was told of that, and if the hand was too "
+         "fast let it move more slowly."},
+        {{.asked_s = 3.0},
+         "x: the hand was asked to feel a force for 3.0 s and felt none: its device gives none of "
+         "the kind that was asked for; ask for a force as well as a torque."},
     };
     for (const auto& row : rows) {
         const FeltTime hands[] = {{}, row.time};

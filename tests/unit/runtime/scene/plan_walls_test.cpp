@@ -57,7 +57,7 @@ TEST_CASE(
         fulcrum::test::make_wall_plan({.stiffness_N_per_m = 5000.0, .damping_Ns_per_m = 50.0}, {});
     REQUIRE(!refused);
     CHECK(to_sentence(refused.error()) ==
-          "lesson.lua:2: wall would shake in every hand with a stiffness of 5000 N/m and a damping "
+          "lesson.lua:2: wall would shake in a hand with a stiffness of 5000 N/m and a damping "
           "of 50 Ns/m; the nearest that a desktop arm holds is a stiffness of 3750 N/m and a "
           "damping of 6.2 Ns/m.");
     for (const fulcrum::test::DeclaredWall& wall :

@@ -26,10 +26,10 @@ WallLoop make_fast_gate(double rate_hz) {
     return {.rate_hz = rate_hz, .max_slew_N_per_s = 1.0e6};
 }
 
-// Of the three hands, each with the holder's mass and damping.
+// Of the hands, each with the holder's mass and damping.
 double find_exact_boundary(const WallHolder& holder, double rate_hz) {
     double least = HUGE_VAL;
-    for (const HumanImpedance& hand : {kFingertip, kArm, kPosture}) {
+    for (const HumanImpedance& hand : kHoldingHands) {
         z_width::LinearWall wall;
         wall.modes = {{holder.mass_kg + hand.mass_kg,
                        hand.damping_Ns_per_m + holder.damping_Ns_per_m, hand.stiffness_N_per_m}};
