@@ -225,6 +225,14 @@ bool GodMotion::comes_back(double gone_m) noexcept {
                        is_here);
 }
 
+// What was looked for far away may be what holds it.
+void GodMotion::look_nearer() noexcept {
+    if (within_m_ > kContactGaps * settings_.gap_m) {
+        within_m_ = kContactGaps * settings_.gap_m;
+        collect();
+    }
+}
+
 void GodMotion::note_been() noexcept {
     std::rotate(been_W_.begin(), been_W_.end() - 1, been_W_.end());
     been_W_.front() = pose_W_;
@@ -277,11 +285,7 @@ bool GodMotion::slide_once(const Pose& wanted_W, std::span<const MovingFrame> ob
     }
     if (!(share > 0.0) ||
         (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {
-        // What was looked for far away may be what holds it.
-        if (within_m_ > kContactGaps * settings_.gap_m) {
-            within_m_ = kContactGaps * settings_.gap_m;
-            collect();
-        }
+        look_nearer();
         return false;
     }
     if (!recovers && share < 1.0 && !is_cut_) {

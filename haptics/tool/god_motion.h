@@ -78,6 +78,7 @@ class GodMotion final : public BesideTask {
     void advance(const Vector6& way, double share) noexcept;
     [[nodiscard]] bool have_arrived() const noexcept;
     [[nodiscard]] bool is_held() const noexcept;
+    void look_nearer() noexcept;
     void note_been() noexcept;
     [[nodiscard]] double find_none_m(bool recovers, double longest_m) const noexcept;
     bool settle() noexcept;

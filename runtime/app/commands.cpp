@@ -242,10 +242,7 @@ int test_by(const Installation& installation, const Options& options, PlayedBy b
             name_wrong_answers(test, talk);
         }
         unmet += tell_unknown_asked(run);
-        for (const Error& note :
-             notes_of_felt(run.felt_times(), "lesson.lua:" + std::to_string(test.line))) {
-            std::fprintf(stderr, "%s\n", to_sentence(note).c_str());
-        }
+        tell_felt(run.felt_times(), "lesson.lua:" + std::to_string(test.line));
         std::printf("%s: %s by %s after %.1f s of play.\n", run.description().id.c_str(),
                     unmet == 0 ? "passed" : "failed", std::string(name_of(by)).c_str(),
                     outcome->simulated_s);

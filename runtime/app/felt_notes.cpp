@@ -49,6 +49,12 @@ std::vector<Error> notes_of_felt(std::span<const FeltTime> hands, const std::str
     return notes;
 }
 
+void tell_felt(std::span<const FeltTime> hands, const std::string& where) {
+    for (const Error& note : notes_of_felt(hands, where)) {
+        std::fprintf(stderr, "%s\n", to_sentence(note).c_str());
+    }
+}
+
 bool was_felt(std::span<const FeltTime> hands) {
     return std::ranges::any_of(hands, [](const FeltTime& time) { return time.felt_s > 0.0; });
 }

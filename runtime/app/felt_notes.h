@@ -15,6 +15,9 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::vector<Error> notes_of_felt(std::span<const FeltTime> hands,
                                                const std::string& where);
 
+/// Writes each to standard error, a line each.
+void tell_felt(std::span<const FeltTime> hands, const std::string& where);
+
 /// Whether any of them felt anything.
 [[nodiscard]] bool was_felt(std::span<const FeltTime> hands);
 

@@ -140,9 +140,7 @@ int run_without_window(const Installation& installation, const Options& options,
     if (outcome->interrupted) {
         std::fprintf(stderr, "Ended by a signal; what there is of the run is kept.\n");
     }
-    for (const Error& note : notes_of_felt((*run)->felt_times(), (*run)->description().id)) {
-        std::fprintf(stderr, "%s\n", to_sentence(note).c_str());
-    }
+    tell_felt((*run)->felt_times(), (*run)->description().id);
     if (const std::string unsaid = unsaid_of(**run, *outcome); !unsaid.empty()) {
         std::fprintf(stderr, "%s\n", unsaid.c_str());
     }

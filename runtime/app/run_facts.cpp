@@ -145,6 +145,21 @@ void add_workspace(const Workspace& workspace, Facts& facts) {
                                             exact_text(turn.y()) + " " + exact_text(turn.z()));
 }
 
+// How a tool's contacts and forces are found.
+void add_tool(const ToolDescription& tool, const ToolPlan& plan, Facts& facts) {
+    facts.add("plan.tool", std::string(name_of(tool.method)));
+    if (tool.contact != ContactFinding::fields) {
+        facts.add("plan.tool contact", std::string(name_of(tool.contact)));
+    }
+    if (tool.method == ToolMethod::god_object) {
+        // The budget of its steps, which no clock tells.
+        facts.add("plan.tool rounds", make_god_object_settings(plan).most_rounds);
+    }
+    if (has_thread(tool)) {
+        facts.add("option.contact", plan.beside ? "by a thread beside the steps" : "in each step");
+    }
+}
+
 // What was decided before anything ran: each stage with who asked for it, and what bodies weigh in the hand.
 void add_plan(const FactSources& run, Facts& facts) {
     constexpr std::array<std::string_view, 3> kProxies{"god-object", "virtual proxy",
@@ -154,19 +169,7 @@ void add_plan(const FactSources& run, Facts& facts) {
     const Plan& plan = run.plan;
     const HapticPlan& haptic = plan.haptic;
     if (haptic.tool) {
-        const ToolDescription& tool = *run.lesson.hand.tool;
-        facts.add("plan.tool", std::string(name_of(tool.method)));
-        if (tool.contact != ContactFinding::fields) {
-            facts.add("plan.tool contact", std::string(name_of(tool.contact)));
-        }
-        if (tool.method == ToolMethod::god_object) {
-            // The budget of its steps, which no clock tells.
-            facts.add("plan.tool rounds", make_god_object_settings(*haptic.tool).most_rounds);
-        }
-        if (has_thread(tool)) {
-            facts.add("option.contact",
-                      haptic.tool->beside ? "by a thread beside the steps" : "in each step");
-        }
+        add_tool(*run.lesson.hand.tool, *haptic.tool, facts);
     } else if (!haptic.solids.empty()) {
         facts.add("plan.proxy", std::string(kProxies[static_cast<std::size_t>(haptic.proxy.kind)]));
     }
