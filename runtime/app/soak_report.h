@@ -40,7 +40,7 @@ class SoakSum {
     [[nodiscard]] bool lacks(RunSpoil spoil) const;
     /// Whether every kind of fault has happened, and each that must has taken a force away, the hand has done all that it does, and felt a torque.
     [[nodiscard]] bool has_all() const;
-    /// The lesson that was played long enough to be judged and gave a force in less than a third of the time in which it can, or
+    /// The lesson that was played long enough to be judged and gave a force in less than two fifths of the time in which it can, or
     /// a tenth of all; empty for none.
     [[nodiscard]] std::string find_seldom_felt() const;
     /// The lesson in which more than a fiftieth of the tool's steps were short of the same, and of what; empty for none.
