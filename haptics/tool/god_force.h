@@ -10,7 +10,7 @@
 // contact that was found late or lost, is not felt at once: e takes it, so that F goes on where it was, and fades by exp(-dt / fade). What the handle's own motion changes is never delayed. Of a
 // tool that nothing is near e ends evenly within 10 ms, however it came there. Where something is near but no contact holds
 // it, as a peg in a hole is free for a step now and then, e goes on fading for 5 ms, and then evenly to 0 in the time `fade` more.
-// So no set changes the force by more than 0.4 of what it was.
+// So with a `fade_s`, and something near, no set changes the force by more than 0.4 of what it was.
 //
 // Thread: that of its owner. Cost: for 30 contacts 0.6 to 0.9 us, 1.8 to 2.1 us where they are told anew; with friction 12 and 17 us
 // (`./fulcrum bench constraint-force`). No allocation after it was built.

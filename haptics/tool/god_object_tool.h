@@ -18,7 +18,7 @@
 // and the tool before them; where a round so gets less than a tenth of its way, for that is bent, the tool is carried by the nearest of them, at rest on it.
 // Between objects that close upon it the tool is wedged: then they are held where they touched, which is told, and catch up when there is room.
 //
-// What is felt of a tool that nothing is within 16 delta of is 0, to the bit, 10 ms later, however it came there and whatever `fade_s` is. Lifted it
+// What is felt of a tool that nothing is within 16 delta of is 0, to the bit, 10 ms later, however it came there and whatever `fade_s` is; beside a thread counted from the set that tells so. Lifted it
 // comes off without a step of the force; slipped off an edge the force ends within that time.
 //
 // Motion (1 to 4, god_motion.h) and force (5) are apart, as in the source: a step takes the newest set of contacts that the motion told, and makes the

@@ -3,7 +3,7 @@
 //
 //   heard   --the card is gone-->   silent, told once   --a card opens, tried after 2 s, 4 s … 60 s-->   heard, told
 //
-// Thread: as SoundPlayer. Cost: that of the player; a look at the card twice a second; a try to open one, some milliseconds.
+// Thread: as SoundPlayer. Cost: that of the player; a look at the card twice a second; a try to open one, as long as the sound system takes.
 #pragma once
 
 #include "runtime/audio/sound_player.h"
