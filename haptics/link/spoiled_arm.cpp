@@ -1,6 +1,6 @@
 #include "haptics/link/spoiled_arm.h"
 
-#include "haptics/base/felt.h"
+#include "haptics/math/felt.h"
 
 #include <algorithm>
 #include <bit>
@@ -246,7 +246,7 @@ void SpoiledArm::begin(Spoil spoil, double now_s) noexcept {
     spoil_ = spoil;
     from_s_ = now_s;
     until_s_ = now_s + draw(0.3, 2.0);
-    felt_before_ = felt_D_.force.norm() > kLeastFelt_N || felt_D_.torque.norm() > kLeastFelt_Nm;
+    felt_before_ = is_felt(felt_D_);
     saw_gone_ = false;
     ++counts_.happened[static_cast<std::size_t>(spoil)];
     arm_.spoil = spoil;

@@ -8,8 +8,8 @@
 // Thread: haptic loop; whoever else reads it does so when that has ended. Cost: some nanoseconds a round.
 #pragma once
 
-#include "haptics/base/felt.h"
 #include "haptics/handover/messages.h"
+#include "haptics/math/felt.h"
 
 namespace fulcrum {
 
@@ -30,12 +30,6 @@ struct FeltTime {
         asked_s += dt_s;
         waiting_s += state.gate == GatePhase::waiting ? dt_s : 0.0;
         taken_s += state.gate == GatePhase::fading || state.gate == GatePhase::stopped ? dt_s : 0.0;
-    }
-
-  private:
-    [[nodiscard]] static bool is_felt(const Wrench& wrench) noexcept {
-        return wrench.force.squaredNorm() > kLeastFelt_N * kLeastFelt_N ||
-               wrench.torque.squaredNorm() > kLeastFelt_Nm * kLeastFelt_Nm;
     }
 };
 

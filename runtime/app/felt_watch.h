@@ -7,8 +7,8 @@
 // Thread: the virtual clock's. Cost: some nanoseconds a round.
 #pragma once
 
-#include "haptics/base/felt.h"
 #include "haptics/handover/messages.h"
+#include "haptics/math/felt.h"
 
 #include <array>
 #include <cstdint>

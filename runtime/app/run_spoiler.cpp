@@ -1,6 +1,6 @@
 #include "runtime/app/run_spoiler.h"
 
-#include "haptics/base/felt.h"
+#include "haptics/math/felt.h"
 
 #include <limits>
 #include <utility>

@@ -43,7 +43,7 @@ void play(const Sandbox& sandbox, int seed, Outcome& outcome) {
     }
     const Record record = read_run(sandbox.path(name + ".rec"));
     CHECK(find_trouble(record).empty());
-    const bool felt = std::ranges::any_of(record.samples, is_felt);
+    const bool felt = std::ranges::any_of(record.samples, is_felt, &RecordSample::applied_W);
     ++outcome.played;
     outcome.felt += felt ? 1 : 0;
     outcome.faded += felt && fails ? 1 : 0;

@@ -1,10 +1,10 @@
 // Judges what a hand was given by the record of its run, as `soak` judges what an arm is given.
 #pragma once
 
-#include "haptics/base/felt.h"
 #include "haptics/device/replay/recorded_traits.h"
 #include "haptics/link/felt_judge.h"
 #include "haptics/link/spoiled_arm.h"
+#include "haptics/math/felt.h"
 #include "tests/lessons/program.h"
 
 #include <cstdlib>
@@ -33,12 +33,6 @@ inline bool is_gone(const Wrench& wrench) {
     constexpr double kGone_N = 1.0e-9;
     constexpr double kGone_Nm = 1.0e-9;
     return wrench.force.norm() <= kGone_N && wrench.torque.norm() <= kGone_Nm;
-}
-
-/// Whether a hand feels something in this round.
-inline bool is_felt(const RecordSample& sample) {
-    return sample.applied_W.force.norm() > kLeastFelt_N ||
-           sample.applied_W.torque.norm() > kLeastFelt_Nm;
 }
 
 /// Empty where each round keeps all limits, no force is there before the gate opens, and one that must fade is gone in time.

@@ -77,7 +77,7 @@ void play(const Sandbox& sandbox, const std::string& lesson, const std::string& 
     const Record record = read_run(sandbox.path("a.rec"));
     CHECK(find_trouble(record) == "");
     ++played.runs;
-    played.felt += std::ranges::any_of(record.samples, is_felt) ? 1 : 0;
+    played.felt += std::ranges::any_of(record.samples, is_felt, &RecordSample::applied_W) ? 1 : 0;
     played.guarded += std::ranges::any_of(record.samples,
                                           [](const RecordSample& sample) {
                                               return any(sample.faults & (Fault::hand_too_fast |

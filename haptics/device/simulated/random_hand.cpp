@@ -1,26 +1,28 @@
 #include "haptics/device/simulated/random_hand.h"
 
-#include "haptics/base/felt.h"
+#include "haptics/math/felt.h"
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fulcrum {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kMostTurn_rad = 0.5;
 constexpr double kBegins_s = 0.1;     // what is felt again after so long begins anew
 constexpr double kPatience_s = 0.15;  // without a force, before it tries something else
 constexpr double kMostFollow_s = 4.0;
 constexpr double kTouchSpeed_m_per_s = 0.4;
-constexpr double kLift_m = 0.025;  // off what it touches
-constexpr double kSearch_m = 0.04;
+constexpr double kLift_m = 0.015;  // off what it touches
+constexpr double kSearch_m = 0.02;
 constexpr double kMostWay_s = 0.6;
 constexpr double kNear_m = 0.02;
 constexpr double kDeepens_m_per_s = 0.1;  // while it feels nothing
 constexpr double kDeepest_m = 0.05;
+constexpr double kDeep_m =
+    0.02;  // once it feels something: deeper it would slip round what is thin
 constexpr int kMostTries = 4;
 constexpr double kTouchShare = 0.8;  // of the deeds that are not to follow
 constexpr double kLongestStep_s = 0.01;
@@ -73,6 +75,7 @@ void RandomHand::feel(double now_s, const HandTarget& planned, const HandFeeling
     if (begins) {
         place_D_ = felt.position_D - thing_D_;
         into_D_ = felt.force_D / -felt.force_D.norm();
+        depth_m_ = std::min(depth_m_, kDeep_m);
     }
 }
 
@@ -95,7 +98,7 @@ bool RandomHand::has_enough(double now_s) const noexcept {
 Vector3 RandomHand::compute_offset(double now_s) const noexcept {
     const double since_s = now_s - from_s_;
     return begin_D_ + ease(since_s / reach_s_) * (goal_D_ - begin_D_) +
-           swing_m_ * std::sin(kTwoPi * swing_Hz_ * since_s) * across_D_;
+           swing_m_ * std::sin(2.0 * std::numbers::pi * swing_Hz_ * since_s) * across_D_;
 }
 
 // Where the deed wants the handle: towards the thing until it is felt, there as deep as it likes and to and fro, or off it.
@@ -112,7 +115,7 @@ Vector3 RandomHand::find_touch_goal(double now_s) const noexcept {
         return thing_D_ + search_D_;
     }
     return there_D + depth_m_ * into_D_ +
-           swing_m_ * std::sin(kTwoPi * swing_Hz_ * (now_s - from_s_)) * across_D_;
+           swing_m_ * std::sin(2.0 * std::numbers::pi * swing_Hz_ * (now_s - from_s_)) * across_D_;
 }
 
 // No faster than a hand does.
@@ -201,7 +204,7 @@ void RandomHand::choose_way() noexcept {
             goal_D_ = draw(0.0, 0.04) * draw_direction();
             across_D_ = find_across(goal_D_, draw_direction());
             swing_m_ = draw(0.01, 0.06);
-            swing_Hz_ = draw(0.05, 0.5) / (kTwoPi * swing_m_);
+            swing_Hz_ = draw(0.05, 0.5) / (2.0 * std::numbers::pi * swing_m_);
             break;
         case HandDeed::jerk:
             goal_D_ = begin_D_;
@@ -211,7 +214,7 @@ void RandomHand::choose_way() noexcept {
             break;
         case HandDeed::touch:
             across_D_ = find_across(into_D_, draw_direction());
-            swing_m_ = draw(0.0, 0.01);
+            swing_m_ = draw(0.0, 0.005);
             swing_Hz_ = draw(0.3, 2.0);
             depth_m_ = draw(0.005, 0.02);
             tries_ = 0;
@@ -226,7 +229,7 @@ void RandomHand::choose_way() noexcept {
 // Evenly on the sphere: its heights are as likely (Archimedes).
 Vector3 RandomHand::draw_direction() noexcept {
     const double height = draw(-1.0, 1.0);
-    const double angle = draw(0.0, kTwoPi);
+    const double angle = draw(0.0, 2.0 * std::numbers::pi);
     const double radius = std::sqrt(std::max(0.0, 1.0 - height * height));
     return {radius * std::cos(angle), height, radius * std::sin(angle)};
 }

@@ -1,6 +1,6 @@
 #include "haptics/device/watched/sensor_guard.h"
 
-#include "haptics/base/felt.h"
+#include "haptics/math/felt.h"
 
 #include <algorithm>
 #include <cmath>
