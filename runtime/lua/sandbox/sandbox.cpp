@@ -2,6 +2,7 @@
 
 #include "haptics/base/sanitized.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -161,7 +162,13 @@ Walled<void> set_limits(std::size_t more_memory_bytes) {
         limits.push_back({RLIMIT_STACK, kStackBytes});
     }
     for (const Limit& limit : limits) {
-        const rlimit both{limit.value, limit.value};
+        // Whoever started the program may have set a lower one, which nobody can raise.
+        rlimit inherited{};
+        if (getrlimit(limit.resource, &inherited) != 0) {
+            return refused(Wall::limits);
+        }
+        const rlim_t value = std::min(limit.value, inherited.rlim_max);
+        const rlimit both{value, value};
         if (setrlimit(limit.resource, &both) != 0) {
             return refused(Wall::limits);
         }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <fcntl.h>
+#include <fstream>
 #include <functional>
 #include <netinet/in.h>
 #include <signal.h>
@@ -24,14 +25,16 @@ namespace {
 
 constexpr int kAllowed = 42;  // exit code of a child that got through
 
-/// Runs `attempt` in a child behind the walls; its wait status.
-int run_in_sandbox(const std::function<void(int socket)>& attempt) {
+/// Runs `attempt` in a child behind the walls, which go up after `before`; its wait status.
+int run_in_sandbox(
+    const std::function<void(int socket)>& attempt, const std::function<void()>& before = [] {}) {
     std::array<int, 2> ends{};
     REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) == 0);
     const int canary = open("/dev/null", O_RDWR);
     const pid_t pid = fork();
     REQUIRE(pid >= 0);
     if (pid == 0) {
+        before();
         const bool ready =
             close_all_files_but(ends[1], ends[1] + 1) && enter_sandbox({ends[1], 16U << 20U});
         if (!ready) {
@@ -141,6 +144,29 @@ TEST_CASE("sandbox: address space beyond the limit is refused, not given") {
             _exit(3);
         }
     }));
+}
+
+TEST_CASE("sandbox: a lower limit that whoever started it has set stays") {
+    if (is_sanitized()) {
+        WARN("skipped: a sanitizer's shadow needs all address space");
+        return;
+    }
+    const int status = run_in_sandbox(
+        [](int) {
+            if (mmap(nullptr, 8U << 20U, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1,
+                     0) != MAP_FAILED) {
+                _exit(3);
+            }
+        },
+        [] {
+            rlim_t mapped_pages = 0;
+            std::ifstream("/proc/self/statm") >> mapped_pages;
+            const rlim_t lower =
+                mapped_pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (4U << 20U);
+            const rlimit both{lower, lower};
+            setrlimit(RLIMIT_AS, &both);
+        });
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == kAllowed));
 }
 
 TEST_CASE("sandbox: an open file of the program is closed before") {
