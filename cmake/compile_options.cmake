@@ -36,6 +36,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(fulcrum_options INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overread
                                                    -Wno-stringop-overflow -Wno-maybe-uninitialized)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # It looks for memory to free from 600 MB on, not from 128: a tenth less of its time, a fifth more memory.
+  target_compile_options(fulcrum_options INTERFACE --param=ggc-min-expand=100 --param=ggc-min-heapsize=600000)
+endif()
 if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(fulcrum_options INTERFACE -fpch-preprocess)
 elseif(CCACHE)

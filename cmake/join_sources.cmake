@@ -1,11 +1,11 @@
 # Most of the time that a source takes to compile goes into the headers and templates that its neighbours use as well. So
-# several sources of a folder are compiled at a time, which halves the time of a fresh build. Each of them includes what it
+# several sources of a room (haptics/device with its folders) are compiled at a time, which halves the time of a fresh build. Each of them includes what it
 # uses all the same: clang-tidy reads them one by one, and the preset for figures compiles them so.
 option(FULCRUM_JOIN "compile several sources at a time" ON)
 set(FULCRUM_JOINED 16)  # sources at most
 
 # fulcrum_join_library(TARGET SOURCE ... [APART NAME ...]): CMake's own way, for sources that refer to each other. What they have to
-# themselves, in anonymous namespaces, must be called by different names within a folder. Sources with the names behind APART are
+# themselves, in anonymous namespaces, must be called by different names within a room. Sources with the names behind APART are
 # joined among themselves: the load path of haptics, so that the step path can be judged by its objects.
 function(fulcrum_join_library target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "APART")
@@ -29,12 +29,12 @@ function(fulcrum_join_library target)
   endforeach()
   set(n_groups 0)
   foreach(sources together apart)
-    set(last_folder "")
+    set(last_room "")
     foreach(source IN LISTS ${sources})
-      cmake_path(GET source PARENT_PATH folder)
-      if(NOT folder STREQUAL last_folder OR n EQUAL FULCRUM_JOINED)
+      string(REGEX REPLACE "^(${CMAKE_SOURCE_DIR}/[^/]*/[^/]*)/.*" "\\1" room ${source})
+      if(NOT room STREQUAL last_room OR n EQUAL FULCRUM_JOINED)
         math(EXPR n_groups "${n_groups} + 1")
-        set(last_folder ${folder})
+        set(last_room ${room})
         set(n 0)
       endif()
       math(EXPR n "${n} + 1")

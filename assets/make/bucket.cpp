@@ -9,7 +9,6 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kOpening_m = 0.11;  ///< inner radius at the rim
 constexpr double kDepth_m = 0.14;    ///< from the rim's plane to the inner bottom
 constexpr double kFoot_m = 0.083;    ///< inner radius at the bottom
@@ -69,7 +68,7 @@ MeshPart inside() {
 /// A ring about the y axis.
 MeshPart ring(double radius_m, double height_m, double thick_m, double tall_m) {
     const Surface surface = revolve([=](double v) {
-        const double angle = 2.0 * kPi * v;
+        const double angle = 2.0 * std::numbers::pi * v;
         return Vector2(radius_m + thick_m * std::cos(angle), height_m + tall_m * std::sin(angle));
     });
     return outward(tessellate(surface, 72, 16));
@@ -95,12 +94,12 @@ void add_handle(Model& model) {
     constexpr double kReach_m = 0.124;
     constexpr double kTilt_rad = 1.15;  // from upright, to the back
     const auto curve = [](double t) {
-        const double angle = kPi * t;
+        const double angle = std::numbers::pi * t;
         return Vector3(kReach_m * std::cos(angle), 0.118 * std::sin(angle), 0.0);
     };
     MeshPart wire = outward(tessellate(tube(curve, [](double) { return 0.0028; }), 12, 48));
     const auto grip_curve = [](double t) {
-        const double angle = kPi * (0.39 + 0.22 * t);
+        const double angle = std::numbers::pi * (0.39 + 0.22 * t);
         return Vector3(kReach_m * std::cos(angle), 0.118 * std::sin(angle), 0.0);
     };
     const auto grip_radius = [](double t) {

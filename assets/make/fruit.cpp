@@ -10,8 +10,6 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // ---- watermelon: lies along x; v runs from its stalk (+x) to its flower end
 
 const Vector3 kMelonRadii_m{0.095, 0.083, 0.086};
@@ -36,7 +34,7 @@ Colour melon_colour(double u, double v) {
     // Ten bands along the melon, their edges pushed about by coarse and fine noise, narrow towards
     // the ends.
     const double wobble = 0.75 * fractal_noise(32.0 * p, 3) + 0.50 * fractal_noise(110.0 * p, 3);
-    const double band = std::cos(10.0 * 2.0 * kPi * u + 1.9 * wobble);
+    const double band = std::cos(10.0 * 2.0 * std::numbers::pi * u + 1.9 * wobble);
     const double dark = smooth_step(-0.02, 0.22, band + 0.25 * fractal_noise(260.0 * p, 2));
     const Colour between = blend(kLight, kPale, 0.5 + 0.9 * fractal_noise(70.0 * p, 3));
     const Colour stripe = blend(kDark, kDeep, 0.5 + 0.9 * fractal_noise(90.0 * p, 3));
@@ -80,7 +78,7 @@ Vector3 apple_surface(double u, double v) {
     const Vector3 p = revolve(apple_profile)(u, v);
     // Five soft lobes, plainest at the bottom.
     const double lobes =
-        1.0 + 0.035 * smooth_step(0.2, -0.9, p.y()) * std::cos(2.0 * kPi * 5.0 * u);
+        1.0 + 0.035 * smooth_step(0.2, -0.9, p.y()) * std::cos(2.0 * std::numbers::pi * 5.0 * u);
     const double lean = 1.0 + 0.03 * p.x();
     return kAppleRadius_m * Vector3(p.x() * lobes, p.y() * lean, p.z() * lobes);
 }

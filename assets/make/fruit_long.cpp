@@ -10,8 +10,6 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // ---- banana: a bent tube in the plane z = 0, v from the stem to the flower end
 
 constexpr double kBananaLength_m = 0.18;
@@ -31,7 +29,7 @@ Vector3 banana_surface(double u, double v) {
     const double bend_radius = kBananaLength_m / kBananaBend_rad;
     const Vector3 out(std::sin(angle), -std::cos(angle), 0.0);
     const Vector3 spine = bend_radius * out;
-    const double around = 2.0 * kPi * (u == 1.0 ? 0.0 : u);
+    const double around = 2.0 * std::numbers::pi * (u == 1.0 ? 0.0 : u);
     // Five soft edges; the stem and the tip are round.
     const double edges = 0.060 * smooth_step(0.05, 0.25, v) * smooth_step(1.0, 0.85, v);
     const double radius =
@@ -49,7 +47,7 @@ Colour banana_colour(double u, double v) {
     const double ragged = fractal_noise(140.0 * p, 3);
     Colour c = blend(kYellow, kPale, 0.35 + 0.7 * fractal_noise(45.0 * p, 2));
     // The edges are a little darker, the flats a little paler.
-    const double edge = smooth_step(0.55, 1.0, std::cos(5.0 * 2.0 * kPi * u));
+    const double edge = smooth_step(0.55, 1.0, std::cos(5.0 * 2.0 * std::numbers::pi * u));
     c = blend(c, srgb(0xD9A41E), 0.35 * edge);
     c = blend(c, kGreen, 0.75 * smooth_step(0.26, 0.10, v + 0.04 * ragged));
     c = blend(c, kGreen, 0.45 * smooth_step(0.88, 0.95, v + 0.02 * ragged));
@@ -81,7 +79,8 @@ double egg_radius_m(double x) {
 }
 
 Vector3 egg_surface(double u, double v) {
-    const double height = v == 1.0 ? -0.5 * kEggLength_m : 0.5 * kEggLength_m * std::cos(kPi * v);
+    const double height =
+        v == 1.0 ? -0.5 * kEggLength_m : 0.5 * kEggLength_m * std::cos(std::numbers::pi * v);
     const double radius = v == 0.0 || v == 1.0 ? 0.0 : egg_radius_m(height);
     return revolve([=](double) { return Vector2(radius, height); })(u, v);
 }
@@ -103,7 +102,9 @@ Colour egg_colour(double u, double v) {
 Model make_banana() {
     Model model{"banana", {}, {}};
     // Rows are closer together at both ends, where the shape changes fastest.
-    const auto denser_ends = [](double v) { return v - 0.10 * std::sin(2.0 * kPi * v); };
+    const auto denser_ends = [](double v) {
+        return v - 0.10 * std::sin(2.0 * std::numbers::pi * v);
+    };
     MeshPart skin =
         tessellate([&](double u, double v) { return banana_surface(u, denser_ends(v)); }, 50, 80);
     for (Vector2& uv : skin.uvs) {

@@ -9,8 +9,6 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Colour grass(const Vector3& p) {
     const double patch = fractal_noise(1.3 * p, 3);
     const double blades = fractal_noise(22.0 * p, 3);
@@ -20,8 +18,9 @@ Colour grass(const Vector3& p) {
 
 /// Bark along the trunk.
 Colour bark(double u, double v) {
-    const double furrow =
-        fractal_noise({10.0 * std::sin(2.0 * kPi * u), 3.0 * v, 10.0 * std::cos(2.0 * kPi * u)}, 3);
+    const double furrow = fractal_noise({10.0 * std::sin(2.0 * std::numbers::pi * u), 3.0 * v,
+                                         10.0 * std::cos(2.0 * std::numbers::pi * u)},
+                                        3);
     return blend(srgb(0x8A5F3C), srgb(0x5D3D26), 0.5 + 0.9 * furrow);
 }
 
@@ -37,7 +36,7 @@ MeshPart flattened_disc(double radius_m, const Surface& height) {
     // u around, v from the middle outwards; rows are closer together in the middle.
     MeshPart disc = tessellate(
         [&](double u, double v) {
-            const double angle = 2.0 * kPi * (u == 1.0 ? 0.0 : u);
+            const double angle = 2.0 * std::numbers::pi * (u == 1.0 ? 0.0 : u);
             const double r = radius_m * std::pow(v, 1.4);
             const Vector3 p(r * std::sin(angle), 0.0, r * std::cos(angle));
             return Vector3(p + height(p.x(), p.z()));
@@ -155,7 +154,7 @@ Model make_flower() {
     for (int i = 0; i < kPetals; ++i) {
         MeshPart petal = outward(tessellate(ellipsoid({0.0095, 0.0018, 0.0055}), 16, 10));
         Affine X(head);
-        X.rotate(AngleAxis(2.0 * kPi * i / kPetals, Vector3::UnitY()));
+        X.rotate(AngleAxis(2.0 * std::numbers::pi * i / kPetals, Vector3::UnitY()));
         X.translate(Vector3(0.0135, 0.0, 0.0));
         petal.transform(X);
         petals.append(petal);

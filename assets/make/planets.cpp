@@ -18,8 +18,6 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // A colour at a place of the unit ball, +Y its north pole.
 using Painter = Colour (*)(const Vector3& p);
 
@@ -45,8 +43,8 @@ double land_at(int row, int column) {
 double land(const Vector3& p) {
     const double latitude = std::asin(std::clamp(p.y(), -1.0, 1.0));
     const double longitude = std::atan2(-p.z(), p.x());
-    const double row = (0.5 - latitude / kPi) * 18.0 - 0.5;
-    const double column = (0.5 + longitude / (2.0 * kPi)) * 36.0 - 0.5;
+    const double row = (0.5 - latitude / std::numbers::pi) * 18.0 - 0.5;
+    const double column = (0.5 + longitude / (2.0 * std::numbers::pi)) * 36.0 - 0.5;
     const int y = static_cast<int>(std::floor(row));
     const int x = static_cast<int>(std::floor(column));
     const double fy = row - y;
@@ -142,7 +140,7 @@ MeshPart make_rings() {
         outward(tessellate(revolve([](double v) {
                                // Out along the top, back along the bottom.
                                const double way = v < 0.5 ? 2.0 * v : 2.0 - 2.0 * v;
-                               const double side = std::sin(2.0 * kPi * v);
+                               const double side = std::sin(2.0 * std::numbers::pi * v);
                                return Vector2(kInner + (kOuter - kInner) * way, kHalfThick * side);
                            }),
                            96, 24));

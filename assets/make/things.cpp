@@ -10,8 +10,6 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A closed box with rounded edges about `centre`, rounded as much as a finger notices.
 MeshPart block(const Vector3& centre_m, const Vector3& half_m) {
     const Surface ball = ellipsoid(Vector3::Ones());
@@ -57,7 +55,7 @@ Model finish(const char* name, std::vector<MeshPart> parts) {
 Model make_cloth() {
     // Draped over a box from -1 to 1: flat on top, over a soft edge down to the floor, in folds.
     const auto surface = [](double u, double v) {
-        const double angle = 2.0 * kPi * (u == 1.0 ? 0.0 : u);
+        const double angle = 2.0 * std::numbers::pi * (u == 1.0 ? 0.0 : u);
         const double c = std::cos(angle);
         const double s = std::sin(angle);
         // A square with round corners at each height.
@@ -98,7 +96,7 @@ Model make_spaceship() {
                             {0.0, 0.084}});
     std::vector<MeshPart> parts{std::move(hull)};
     for (int i = 0; i < 3; ++i) {
-        parts.push_back(fin(2.0 * kPi * i / 3.0 + 0.5 * kPi));
+        parts.push_back(fin(2.0 * std::numbers::pi * i / 3.0 + 0.5 * std::numbers::pi));
     }
     MeshPart window = moved(outward(tessellate(ellipsoid(Vector3(0.012, 0.012, 0.006)), 32, 20)),
                             {0.0, 0.022, 0.028});
@@ -132,8 +130,8 @@ Model make_statue() {
     for (const double side : {-1.0, 1.0}) {
         const Surface arm = tube(
             [=](double t) {
-                return Vector3(side * (0.020 + 0.018 * std::sin(kPi * t)), 0.030 - 0.052 * t,
-                               0.012 * t);
+                return Vector3(side * (0.020 + 0.018 * std::sin(std::numbers::pi * t)),
+                               0.030 - 0.052 * t, 0.012 * t);
             },
             [](double t) {
                 return 0.0075 * std::sqrt(std::max(0.0, 1.0 - std::pow(2 * t - 1, 8)));

@@ -9,7 +9,6 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kCursorRadius_m = 0.02;
 
 /// A soft ball.
@@ -25,7 +24,7 @@ std::vector<MeshPart> cursor_parts() {
 double star_outline(double angle) {
     constexpr double kPoint_m = 0.0525;
     constexpr double kCorner_m = 0.5 * kPoint_m;
-    constexpr double kHalfPoint_rad = kPi / 5.0;
+    constexpr double kHalfPoint_rad = std::numbers::pi / 5.0;
     constexpr double kRounding_rad = 0.05;
     const double turn = angle / (2.0 * kHalfPoint_rad);
     const double off = std::abs(turn - std::floor(turn + 0.5)) * 2.0 * kHalfPoint_rad;
@@ -53,9 +52,9 @@ Model make_star() {
     // v runs from the middle of the front over the rim to the middle of the back; puffy like a
     // cushion.
     const auto surface = [](double u, double v) {
-        const double angle = 2.0 * kPi * (u == 1.0 ? 0.0 : u);
-        const double reach = v == 1.0 ? 0.0 : std::sin(kPi * v);
-        const double puff = 0.017 * std::cos(kPi * v);
+        const double angle = 2.0 * std::numbers::pi * (u == 1.0 ? 0.0 : u);
+        const double reach = v == 1.0 ? 0.0 : std::sin(std::numbers::pi * v);
+        const double puff = 0.017 * std::cos(std::numbers::pi * v);
         // Near the middle it is round, towards the rim a star.
         const double r =
             reach * (0.034 + (star_outline(angle) - 0.034) * smooth_step(0.1, 1.0, reach));
@@ -72,7 +71,7 @@ Model make_sphere() {
     ball.picture = 0;
     ball.roughness = 0.45;
     // The picture's seam lies at the back.
-    ball.transform(Affine(AngleAxis(kPi, Vector3::UnitY())));
+    ball.transform(Affine(AngleAxis(std::numbers::pi, Vector3::UnitY())));
     // Twelve spots, on the corners of an icosahedron: one sees how it turns.
     const double golden = 0.5 * (1.0 + std::sqrt(5.0));
     const auto spot = [golden](const Vector3& p) {
@@ -139,7 +138,7 @@ Model make_plank() {
     const auto wood = [](const Vector3& p) {
         const double rings =
             26.0 * p.z() + 1.1 * fractal_noise({2.5 * p.x(), 8.0 * p.y(), 9.0 * p.z()}, 3);
-        const double grain = 0.5 + 0.5 * std::sin(2.0 * kPi * rings);
+        const double grain = 0.5 + 0.5 * std::sin(2.0 * std::numbers::pi * rings);
         const double fibre = fractal_noise({12.0 * p.x(), 120.0 * p.y(), 220.0 * p.z()}, 2);
         return blend(srgb(0xD9A25F), srgb(0xB77B3E), 0.65 * grain + 0.35 * fibre);
     };

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# joined_names.sh [ROOT]: fails where two sources of a folder call something of their own, in anonymous namespaces, by the same
-# name: some builds compile them as one (cmake/join_sources.cmake). Functions may share a name with other parameters.
+# joined_names.sh [ROOT]: fails where two sources of a room (haptics/device with its folders) call something of their own, in
+# anonymous namespaces, by the same name: some builds compile them as one (cmake/join_sources.cmake). Functions may share a
+# name with other parameters.
 set -euo pipefail
 cd "${1:-$(dirname -- "$0")/../..}"
 
-find haptics dialogue runtime -name '*.cpp' | LC_ALL=C sort | xargs -r awk '
+find haptics dialogue runtime assets -name '*.cpp' | LC_ALL=C sort | xargs -r awk '
 # own(NAME): the source at hand has it to itself.
 function own(name,    key) {
     key = folder SUBSEP name
@@ -31,6 +32,7 @@ FNR == 1 {
     head = ""
     folder = FILENAME
     sub("/[^/]*$", "", folder)
+    if (split(folder, part, "/") > 2) folder = part[1] "/" part[2]
 }
 /^namespace \{/ { inside = 1; next }
 /^}  \/\/ namespace$/ { inside = 0; head = ""; next }

@@ -12,17 +12,17 @@ namespace fulcrum {
 namespace {
 
 constexpr double kLongest_m = 100.0;
-constexpr double kMostTurn_rad = 100.0;
+constexpr double kMostAngle_rad = 100.0;
 
 Expected<void> check_link(const ArmLink& link, const std::string& whose) {
     const Range ranges[] = {
         {"a_m", link.a_m, -kLongest_m, kLongest_m},
-        {"alpha_rad", link.alpha_rad, -kMostTurn_rad, kMostTurn_rad},
+        {"alpha_rad", link.alpha_rad, -kMostAngle_rad, kMostAngle_rad},
         {"d_m", link.d_m, -kLongest_m, kLongest_m},
-        {"theta_rad", link.theta_rad, -kMostTurn_rad, kMostTurn_rad},
+        {"theta_rad", link.theta_rad, -kMostAngle_rad, kMostAngle_rad},
         {"mass_kg", link.mass_kg, 0.0, 1000.0},
-        {"low_rad", link.low_rad, -kMostTurn_rad, kMostTurn_rad},
-        {"high_rad", link.high_rad, link.low_rad, kMostTurn_rad},
+        {"low_rad", link.low_rad, -kMostAngle_rad, kMostAngle_rad},
+        {"high_rad", link.high_rad, link.low_rad, kMostAngle_rad},
         {"dry_friction_Nm", link.dry_friction_Nm, 0.0, 1000.0},
         {"damping_Nms_per_rad", link.damping_Nms_per_rad, 1.0e-9, 1000.0},
     };

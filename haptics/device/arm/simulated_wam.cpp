@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fulcrum {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 // A hand is not farther away, nor faster: what lies beyond would overflow, and its spring pulls no harder anyway.
 constexpr double kFarthest_m = 10.0;
 constexpr double kFastest_m_per_s = 100.0;
@@ -87,12 +87,13 @@ Twist SimulatedWam::compute_velocity_D() const noexcept {
 
 // The joints' angles by whole counts of the motors, and the posture at these: what is told, and what the arm's own computer goes by.
 void SimulatedWam::count() noexcept {
+    constexpr double kTurn_rad = 2.0 * std::numbers::pi;
     const ArmModel& model = settings_.model;
     JointVector motors = multiply(model.transmission, state_.angle_rad);
     for (int k = 0; k < model.n; ++k) {
         const double counts = model.motors[static_cast<std::size_t>(k)].counts_per_turn;
         if (counts > 0.0) {
-            motors(k) = std::round(motors(k) * counts / kTwoPi) * kTwoPi / counts;
+            motors(k) = std::round(motors(k) * counts / kTurn_rad) * kTurn_rad / counts;
         }
     }
     counted_rad_ = multiply(joint_per_motor_, motors);

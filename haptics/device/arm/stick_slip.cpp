@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr int kMostTries = 8;
+constexpr int kMostFits = 8;
 constexpr int kMostSweeps = 2000;
 // Of the largest push: what rounding leaves of a sum of seven products.
 constexpr double kSumRounding = 1.0e-13;
@@ -170,7 +170,7 @@ StickSlipCount solve_stick_slip(const StickSlipProblem& problem, JointHolds& hol
     w.resize(problem.push.size());
     const double rounding =
         kSumRounding * (problem.push.cwiseAbs().maxCoeff() + problem.dry.maxCoeff());
-    for (count.tries = 1; count.tries <= kMostTries; ++count.tries) {
+    for (count.tries = 1; count.tries <= kMostFits; ++count.tries) {
         solve_sets(problem, holds, w);
         if (mend(problem, w, rounding, holds)) {
             return count;

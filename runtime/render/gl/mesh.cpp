@@ -12,7 +12,7 @@ namespace fulcrum::runtime::gl {
 namespace {
 
 constexpr std::size_t kFloatsPerCorner = 8;  // position, normal, uv
-constexpr std::size_t kMostCorners = 50'000'000;
+constexpr std::size_t kMostMeshCorners = 50'000'000;
 constexpr int kLargestPicture = 8192;
 // A cell of levels 1, 2 and 3 for a model of length 1: about ten pixels.
 constexpr std::array<float, kLevelPixels.size()> kLevelCells{1.0F / 26.0F, 1.0F / 17.0F,
@@ -30,7 +30,7 @@ Expected<void> check(const ModelPrimitive& primitive, std::size_t image_count,
         return fail(std::string("the model's ") + what, name, "export the model again");
     };
     if (primitive.positions.empty() || primitive.positions.size() % 3 != 0 ||
-        corners > kMostCorners) {
+        corners > kMostMeshCorners) {
         return refuse("positions are not three numbers a corner");
     }
     if (!primitive.normals.empty() && primitive.normals.size() != corners * 3) {

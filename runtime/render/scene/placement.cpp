@@ -5,14 +5,14 @@
 namespace fulcrum::runtime {
 
 namespace {
-constexpr double kFurthest_m = 1e6;
+constexpr double kFurthestPlace_m = 1e6;
 constexpr double kLeastScale = 1e-6;
 constexpr double kLeastQuaternion = 1e-6;
 }  // namespace
 
 std::optional<Placement> place(const Pose& pose_W, const Vector3& scale) {
     if (!is_finite(pose_W) || !scale.allFinite() ||
-        pose_W.position.cwiseAbs().maxCoeff() > kFurthest_m ||
+        pose_W.position.cwiseAbs().maxCoeff() > kFurthestPlace_m ||
         scale.cwiseAbs().minCoeff() < kLeastScale ||
         scale.cwiseAbs().maxCoeff() > 1.0 / kLeastScale) {
         return std::nullopt;

@@ -18,7 +18,7 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr int kWhiteSide = 4;  // full pixels in the atlas' first corner, for plain shapes
-constexpr int kGap = 1;        // between letters, so that no neighbour shines in
+constexpr int kLetterGap = 1;  // between letters, so that no neighbour shines in
 constexpr std::size_t kFaceCount = 2;
 constexpr const char* kSpareFolder = "/usr/share/fonts/truetype/dejavu";
 
@@ -117,18 +117,18 @@ Found Font::Parts::look_up(Face style, char32_t character) const {
 
 /// Letters stand on shelves, left to right, shelves from top to bottom.
 bool Font::Parts::reserve(int width, int height, int& x, int& y) {
-    if (shelf_x + width + kGap > kAtlasSide) {
+    if (shelf_x + width + kLetterGap > kAtlasSide) {
         shelf_y += shelf_height;
         shelf_x = 0;
         shelf_height = 0;
     }
-    if (width + kGap > kAtlasSide || shelf_y + height + kGap > kAtlasSide) {
+    if (width + kLetterGap > kAtlasSide || shelf_y + height + kLetterGap > kAtlasSide) {
         return false;
     }
     x = shelf_x;
     y = shelf_y;
-    shelf_x += width + kGap;
-    shelf_height = std::max(shelf_height, height + kGap);
+    shelf_x += width + kLetterGap;
+    shelf_height = std::max(shelf_height, height + kLetterGap);
     return true;
 }
 
@@ -260,9 +260,9 @@ void Font::clear() {
         std::memset(parts_->atlas.data() + static_cast<std::size_t>(row) * kAtlasSide, 255,
                     kWhiteSide);
     }
-    parts_->shelf_x = kWhiteSide + kGap;
+    parts_->shelf_x = kWhiteSide + kLetterGap;
     parts_->shelf_y = 0;
-    parts_->shelf_height = kWhiteSide + kGap;
+    parts_->shelf_height = kWhiteSide + kLetterGap;
     parts_->full = false;
     parts_->changed_first = 0;
     parts_->changed_end = kAtlasSide;

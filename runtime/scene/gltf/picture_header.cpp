@@ -2,6 +2,7 @@
 
 #include "runtime/scene/gltf/deflate_length.h"
 #include "runtime/scene/gltf/limits.h"
+#include "runtime/scene/picture/kind.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
-constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::size_t kMaxJpegScans = 8;
 /// Rows as decoded, converted to four channels, kept by the parser, and our copy; with 16 bits a
 /// channel all but the copy are twice as large.
@@ -182,12 +182,13 @@ Expected<PictureHeader> read_jpeg(Span file) {
 }  // namespace
 
 Expected<PictureHeader> read_picture_header(Span file) {
-    if (file.size() >= kPngSignature.size() &&
-        std::equal(kPngSignature.begin(), kPngSignature.end(), file.begin())) {
-        return read_png(file);
-    }
-    if (file.size() >= 4 && file[0] == 0xFF && file[1] == 0xD8) {
-        return read_jpeg(file);
+    switch (picture::kind_of(file)) {
+        case picture::Kind::png:
+            return read_png(file);
+        case picture::Kind::jpeg:
+            return read_jpeg(file);
+        case picture::Kind::neither:
+            break;
     }
     return bad("the picture is neither PNG nor JPEG");
 }

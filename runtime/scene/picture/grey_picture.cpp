@@ -1,10 +1,10 @@
 #include "runtime/scene/picture/grey_picture.h"
 
 #include "runtime/scene/gltf/model_files.h"
+#include "runtime/scene/picture/kind.h"
 #include "runtime/scene/picture/samples.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <new>
 #include <string>
@@ -13,14 +13,6 @@ namespace fulcrum::runtime {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
-
-constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-constexpr std::array<std::uint8_t, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
-
-bool begins_with(Bytes file, Bytes signature) {
-    return file.size() >= signature.size() &&
-           std::equal(signature.begin(), signature.end(), file.begin());
-}
 
 /// Channel `index` of all channels of all pixels, 0 to 1.
 float sample(const picture::Samples& samples, std::size_t index) {
@@ -49,11 +41,13 @@ GreyPicture make_grey(const picture::Samples& samples) {
 }
 
 Expected<picture::Samples> decode(Bytes file) {
-    if (begins_with(file, kPngSignature)) {
-        return picture::decode_png(file);
-    }
-    if (begins_with(file, kJpegSignature)) {
-        return picture::decode_jpeg(file);
+    switch (picture::kind_of(file)) {
+        case picture::Kind::png:
+            return picture::decode_png(file);
+        case picture::Kind::jpeg:
+            return picture::decode_jpeg(file);
+        case picture::Kind::neither:
+            break;
     }
     return fail("the picture is neither PNG nor JPEG", {}, picture::kSaveAgain);
 }
