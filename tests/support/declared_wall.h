@@ -13,6 +13,7 @@
 #include "tests/support/link.h"
 #include "tests/support/wall_trial.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -31,7 +32,10 @@ struct DeclaredWall {
     double press_m = 0.004;
     bool is_spring =
         false;  ///< both ways, as a force of the lesson; the hand begins where it pulls to
-    bool is_dry = false;  ///< with the desktop arm's own dry friction
+    bool is_dry = false;      ///< with the desktop arm's own dry friction
+    double hand_scale = 1.0;  ///< world metres a metre of the device
+    std::function<void(HapticPlan&)>
+        change{};  ///< for curves over a setting: of the plan, before it is used
 };
 
 struct DeclaredWallCourse {
@@ -48,6 +52,7 @@ inline constexpr double kAboveWall_m = 0.01;
     runtime::LessonDescription lesson;
     lesson.id = lesson.title = "wall";
     lesson.hand.rate_hz = wall.rate_Hz;
+    lesson.hand.scale = wall.hand_scale;
     if (wall.is_spring) {
         lesson.forces.push_back({"hold",
                                  {.anchor_W = lesson.hand.centre_W,
@@ -96,7 +101,8 @@ inline constexpr double kAboveWall_m = 0.01;
 /// The arm, the hand that holds it, the line to it where there is one, and the loop.
 class DeclaredWallRig {
   public:
-    explicit DeclaredWallRig(const DeclaredWall& wall) : wall_(wall) {
+    /// `pull_m`: a spring pulls the hand up by so much, of the world.
+    explicit DeclaredWallRig(const DeclaredWall& wall, double pull_m = 0.0) : wall_(wall) {
         if (wall.arm == TriedArm::wam) {
             SimulatedWamSettings settings;
             settings.grip.push = wall.human;
@@ -118,8 +124,12 @@ class DeclaredWallRig {
                     wall, runtime::make_wall_holder(
                               felt.traits(), pair_ ? pair_->device.status().round_trip_s : 0.0))
                     .value();
+        if (wall.change) {
+            wall.change(plan_.haptic);
+        }
         ForceCommand command;  // of a session that has changed nothing
-        command.fields[0].anchor_W = plan_.haptic.workspace.pose_WD.position;
+        command.fields[0].anchor_W =
+            plan_.haptic.workspace.pose_WD.position + pull_m * Vector3::UnitY();
         channels_->command.publish(command);
         loop_ = std::make_unique<HapticLoop>(plan_.haptic, felt, *channels_);
     }
