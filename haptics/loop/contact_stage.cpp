@@ -65,7 +65,8 @@ ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand
         felt.spring.energy_J += share * compute_spring_energy_J(coupling, stretch_m);
     }
     felt.spring.normal = contact.normal_W;
-    const double force_N = compute_length(felt.spring.force);
+    const Vector3 plain_W = felt.spring.force;
+    const double force_N = compute_length(plain_W);
     double held_m = stretch_m;
     if (!shading_.empty() && shade(contact, solid_poses_W)) {
         Vector3 held_W = Vector3::Zero();
@@ -78,6 +79,8 @@ ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand
             felt.spring.normal = touches_[0].normal_W;
         }
     }
+    felt.counted = shading_.empty() ? ElasticForce{plain_W, plain_W}
+                                    : count(plain_W, felt.spring.force, hand_W);
     for (std::size_t i = 0; i < n_touches_; ++i) {
         touches_[i].stiffness_N_per_m = stretch_m > 0.0 ? force_N / stretch_m : 0.0;
     }
@@ -85,6 +88,31 @@ ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand
     felt.force_W -= std::min(felt.force_W.dot(felt.spring.normal), 0.0) * felt.spring.normal;
     felt.spring.push = felt.force_W.dot(felt.spring.normal);
     return felt;
+}
+
+// What of the spring's force gives back the hand's work: all of it as it was, and what shading turned of it as far as that is lent.
+ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W,
+                                 const Vector3& hand_W) noexcept {
+    double bump_m = 0.0;
+    for (const TouchForce& touch : touches()) {
+        const auto solid = static_cast<std::size_t>(touch.solid);
+        if (touch.solid >= 0 && solid < shading_.size() && shading_[solid]) {
+            bump_m = std::max(bump_m, shading_[solid]->bump_m());
+        }
+    }
+    loan_.allow(compute_length(plain_W) * bump_m, period_s_);
+    ElasticForce counted{plain_W, plain_W};
+    counted += loan_.step_evenly(shaded_W - plain_W,
+                                 follows_ ? Vector3(hand_W - hand_W_) : Vector3(Vector3::Zero()));
+    hand_W_ = hand_W;
+    follows_ = true;
+    return counted;
+}
+
+void ContactStage::leave() noexcept {
+    n_touches_ = 0;
+    follows_ = false;
+    loan_.settle();
 }
 
 // What the touches' dampers add, with a spring of so many newtons a metre.

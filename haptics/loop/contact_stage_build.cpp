@@ -5,7 +5,8 @@
 
 namespace fulcrum {
 
-ContactStage::ContactStage(const HapticPlan& plan) : common_(plan.coupling) {
+ContactStage::ContactStage(const HapticPlan& plan)
+    : common_(plan.coupling), period_s_(1.0 / plan.rate_hz) {
     couplings_.reserve(plan.solids.size());
     for (const SolidPlan& solid : plan.solids) {
         couplings_.push_back(solid.coupling.value_or(plan.coupling));

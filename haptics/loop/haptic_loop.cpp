@@ -371,6 +371,7 @@ void HapticLoop::forget_motion() noexcept {
     state_.tool_twist_W = Twist{};
     if (touch_) {
         touch_->proxy->reset(state_.tool_pose_W.position);
+        touch_->coupling.leave();
         touch_->velocity.forget();
         if (touch_->effects) {
             touch_->effects->forget();

@@ -24,7 +24,7 @@ void HapticLoop::add_touch() noexcept {
     const ContactForce felt =
         touch_->coupling.step(touch_->contact, hand_W, velocities_W, solid_poses_W_);
     demand_.contact = felt.spring;
-    demand_.force += {felt.spring.force, felt.spring.force};
+    demand_.force += felt.counted;
     demand_.wrench_W.force += felt.force_W;
     share(Effect::contact, felt.spring.force);
     share(Effect::contact_damping, felt.force_W - felt.spring.force);

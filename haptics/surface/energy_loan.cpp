@@ -18,17 +18,31 @@ void EnergyLoan::settle() noexcept {
 }
 
 ElasticForce EnergyLoan::step(const Vector3& next_W, const Vector3& motion_W) noexcept {
-    ElasticForce counted{next_W, force_W_};
-    const double given_J = force_W_.dot(motion_W);
-    const double square = motion_W.squaredNorm();
-    if (std::isfinite(given_J) && square > 0.0) {
-        owed_J_ = std::max(owed_J_ + given_J, -limit_J_);
-        const double beyond_J = std::max(owed_J_ - limit_J_, 0.0);
-        owed_J_ -= beyond_J;
-        counted.held_W -= (2.0 * beyond_J / square) * motion_W;
-    }
+    const ElasticForce counted{next_W, force_W_ - lend(force_W_.dot(motion_W), motion_W)};
     force_W_ = next_W;
     return counted;
+}
+
+ElasticForce EnergyLoan::step_evenly(const Vector3& next_W, const Vector3& motion_W) noexcept {
+    const double given_J = 0.5 * (force_W_ + next_W).dot(motion_W);
+    if (owed_J_ > 0.0) {
+        owed_J_ = std::max(owed_J_ - kUnfelt_N * motion_W.norm(), 0.0);
+    }
+    const ElasticForce counted{next_W, next_W - lend(given_J, motion_W)};
+    force_W_ = next_W;
+    return counted;
+}
+
+// Counts what was given on the way; the force that would have given what goes beyond the limit, twice.
+Vector3 EnergyLoan::lend(double given_J, const Vector3& motion_W) noexcept {
+    const double square = motion_W.squaredNorm();
+    if (!std::isfinite(given_J) || !(square > 0.0)) {
+        return Vector3::Zero();
+    }
+    owed_J_ = std::max(owed_J_ + given_J, -limit_J_);
+    const double beyond_J = std::max(owed_J_ - limit_J_, 0.0);
+    owed_J_ -= beyond_J;
+    return (2.0 * beyond_J / square) * motion_W;
 }
 
 }  // namespace fulcrum

@@ -41,6 +41,9 @@ class ShadedNormals {
         return normals_B_[static_cast<std::size_t>(
             groups_[static_cast<std::size_t>(triangle)][corner])];
     }
+    /// Most work, for each newton of push, that turning it from a face's own normal does along that face: its longest side times the
+    /// sine of its corners' lean, over 4, as on a round surface, where the lean grows evenly from the middle.
+    [[nodiscard]] double bump_m() const noexcept { return bump_m_; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
         return normals_B_.capacity() * sizeof(Vector3) + groups_.capacity() * sizeof(groups_[0]);
     }
@@ -49,6 +52,7 @@ class ShadedNormals {
     std::shared_ptr<const CollisionMesh> mesh_;
     std::vector<Vector3> normals_B_;                   // one a group of corners
     std::vector<std::array<std::int32_t, 3>> groups_;  // of each triangle's corners
+    double bump_m_ = 0.0;
 };
 
 }  // namespace fulcrum

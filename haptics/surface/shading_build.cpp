@@ -130,6 +130,16 @@ ShadedNormals::ShadedNormals(std::shared_ptr<const CollisionMesh> mesh, double c
         normals_B_[g] =
             length > kCancelled ? Vector3(normals_B_[g] / length) : faces_B[face_of_group[g]];
     }
+    for (std::size_t t = 0; t < n; ++t) {
+        const auto p = mesh_->places_B(static_cast<std::int32_t>(t));
+        const double side_m =
+            std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double lean =
+                corner_normal_B(static_cast<std::int32_t>(t), i).cross(faces_B[t]).norm();
+            bump_m_ = std::max(bump_m_, 0.25 * side_m * lean);
+        }
+    }
 }
 
 }  // namespace fulcrum

@@ -1,0 +1,160 @@
+// What closed paths give a hand of effects that are no gradient, behind plan, passivity stage and gate as they ship. Without dampers, which
+// would hide it.
+#include "haptics/geometry/shape.h"
+#include "haptics/surface/energy_loan.h"
+#include "haptics/surface/materials.h"
+#include "tests/support/sent_force.h"
+#include "tests/support/touchable.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+using namespace fulcrum;
+using test::SentForce;
+
+namespace {
+
+Material make_undamped() {
+    Material material = *find_material("metal");
+    material.friction = {};
+    material.texture = {};
+    material.transient = {};
+    material.coupling = {.stiffness_N_per_m = 200.0, .damping_Ns_per_m = 0.0};
+    return material;
+}
+
+// What the passivity stage forgets: its headroom in each of its memories; its brake takes up to as much again to come.
+constexpr double kLeak_W = 2.0 * PassivitySettings{}.headroom_J / PassivitySettings{}.memory_s;
+
+// A closed path: where the hand is at a share of it.
+using Path = std::function<Vector3(double share)>;
+
+struct Given {
+    double first_J = 0.0;  // in the first rounds
+    double last_J = 0.0;   // in as many later ones
+    double took_s = 0.0;   // the later ones
+    double way_m = 0.0;    // in them
+};
+
+// Round and round; the gate is open and the hand is on the path.
+Given go_round(SentForce& loop, const Path& path, double round_s) {
+    constexpr int kRounds = 20;
+    Given given;
+    Vector3 before_W = path(0.0);
+    Vector3 before_N = loop.step(before_W);
+    const double step = 1.0 / (round_s * loop.plan().rate_hz);
+    for (int round = 0; round < 2 * kRounds; ++round) {
+        for (double share = step; share < 1.0; share += step) {
+            const Vector3 hand_W = path(share);
+            const double work_J = before_N.dot(hand_W - before_W);
+            (round < kRounds ? given.first_J : given.last_J) += work_J;
+            given.way_m += round < kRounds ? 0.0 : (hand_W - before_W).norm();
+            before_N = loop.step(hand_W);
+            before_W = hand_W;
+        }
+    }
+    given.took_s = kRounds * round_s;
+    return given;
+}
+
+// There and back along an arc of a ball, deeper on the way there.
+Path make_arc(double radius_m, double from_rad, double span_rad, double deep_m, double shallow_m) {
+    static const Vector3 kAlong = Vector3(0.8, 0.1, -0.59).normalized();
+    static const Vector3 kAcross = kAlong.cross(Vector3(0.2, 1.0, 0.4)).normalized();
+    return [=](double share) {
+        const double turn = 2.0 * std::numbers::pi * share;
+        const double angle = from_rad + 0.5 * span_rad * (1.0 - std::cos(turn));
+        const double depth_m =
+            0.5 * (deep_m + shallow_m) + 0.5 * (deep_m - shallow_m) * std::sin(turn);
+        return Vector3((radius_m - depth_m) *
+                       (std::cos(angle) * kAlong + std::sin(angle) * kAcross));
+    };
+}
+
+}  // namespace
+
+TEST_CASE("sent energy: who goes round on a shaded facet for ever is given what is lent, once") {
+    constexpr double kRadius_m = 0.1;
+    const auto coarse = touchable(make_sphere(kRadius_m, 2));
+    constexpr double kLent_J = 0.02;  // 4 N times a quarter of a side of 60 mm that leans by 0.3
+    for (const double span_rad : {0.1, 0.3}) {
+        for (int i = 0; i < 24; ++i) {
+            const bool is_turned = i % 2 == 1;
+            SentForce loop(test::make_touch_lesson(make_undamped(), true), coarse);
+            const Path path = make_arc(kRadius_m, 0.27 * i, span_rad, is_turned ? 0.008 : 0.022,
+                                       is_turned ? 0.022 : 0.008);
+            loop.open_gate(1.2 * path(0.0));
+            for (double share = 1.2; share > 1.0; share -= 1.0e-4) {
+                (void)loop.step(share * path(0.0));
+            }
+            const Given given = go_round(loop, path, 0.25);
+            INFO(span_rad << " rad from " << 0.27 * i << ": " << given.first_J << " J, then "
+                          << given.last_J);
+            const double forgiven_J = kLeak_W * given.took_s + kUnfelt_N * given.way_m;
+            CHECK(given.first_J < kLent_J + forgiven_J);
+            CHECK(given.last_J < forgiven_J);
+        }
+    }
+}
+
+TEST_CASE("sent energy: who presses a relief downhill for ever is given what it lends, once") {
+    constexpr double kWave_m = 0.002;
+    constexpr double kHalf_m = 5.25 * kWave_m;  // to where down turns to up
+    constexpr double kPlate_m = 0.2;
+    const auto plate = touchable(make_box(Vector3::Constant(kPlate_m)));
+    for (const TextureLaw law :
+         {TextureLaw::perturbed_normal, TextureLaw::lateral, TextureLaw::height_offset}) {
+        Material material = make_undamped();
+        material.coupling.stiffness_N_per_m = 500.0;
+        material.texture = {.source = SineTexture{kWave_m, 0.0}, .law = law, .height_m = 2.0e-4};
+        SentForce loop(test::make_touch_lesson(material, false), plate);
+        constexpr double kDepth_m = 0.004;
+        const Path path = [&](double share) {
+            const double x_m = -kHalf_m * std::cos(2.0 * std::numbers::pi * share);
+            const double uphill =
+                (share < 0.5 ? 1.0 : -1.0) * std::cos(2.0 * std::numbers::pi * x_m / kWave_m);
+            return Vector3(x_m, 0.5 * kPlate_m - kDepth_m * (1.0 - 0.3 * uphill), 0.0);
+        };
+        loop.open_gate(path(0.0) + 0.01 * Vector3::UnitY());
+        for (double above_m = 0.01; above_m > 0.0; above_m -= 1.0e-5) {
+            (void)loop.step(path(0.0) + above_m * Vector3::UnitY());
+        }
+        const Given given = go_round(loop, path, 0.5);
+        INFO("law " << static_cast<int>(law) << ": " << given.first_J << " J, then "
+                    << given.last_J);
+        CHECK(given.last_J < kLeak_W * given.took_s);
+    }
+}
+
+TEST_CASE(
+    "sent energy: a tap that rings gives back no more than its share of what the handle brought") {
+    constexpr double kBlock_m = 0.2;
+    constexpr double kSwing_m = 0.008;
+    constexpr double kRound_s = 0.25;
+    const auto block = touchable(make_box(Vector3::Constant(kBlock_m)));
+    const double speed_m_per_s = kSwing_m * 2.0 * std::numbers::pi / kRound_s;
+    for (const char* name : {"metal", "glass", "wood", "rock", "rubber"}) {
+        Material material = make_undamped();
+        material.coupling.stiffness_N_per_m = 500.0;
+        const Path path = [&](double share) {
+            return Vector3(
+                0.0, 0.5 * kBlock_m + kSwing_m * std::cos(2.0 * std::numbers::pi * share), 0.0);
+        };
+        const auto tap = [&] {
+            SentForce loop(test::make_touch_lesson(material, false), block);
+            loop.open_gate(path(0.0));
+            return go_round(loop, path, kRound_s);
+        };
+        const Given silent = tap();
+        material.transient = find_material(name)->transient;
+        const Given ringing = tap();
+        const double brought_J = 0.5 * kHandleMass_kg * speed_m_per_s * speed_m_per_s;
+        const double taps = ringing.took_s / kRound_s;
+        INFO(name << ": " << silent.last_J << " J without, " << ringing.last_J << " with");
+        CHECK(ringing.last_J - silent.last_J <
+              material.transient.energy_share * brought_J * taps + kLeak_W * ringing.took_s);
+    }
+}
