@@ -85,37 +85,6 @@ std::string make_calls(bool of_lesson) {
 
 }  // namespace
 
-TEST_CASE("arguments: a place may be a list, named, a body or the tool") {
-    HostedLesson lesson;
-    REQUIRE(lesson.start("local a = world:body { name = 'a', at = { 1, 2, 3 } } world:body { name "
-                         "= 'b', at = { x = 4, y = 5, z = 6 } } "
-                         "world:body { name = 'c', at = a } world:body { name = 'd', at = "
-                         "world:tool() } world:body { name = 'e', at = a.position }") == "");
-    const auto& bodies = lesson.host->description().bodies;
-    CHECK(bodies[0].position_W == Vector3(1, 2, 3));
-    CHECK(bodies[1].position_W == Vector3(4, 5, 6));
-    CHECK(bodies[2].position_W == Vector3(1, 2, 3));
-    CHECK(bodies[3].position_W == Vector3(0, 0, 0));
-    CHECK(bodies[4].position_W == Vector3(1, 2, 3));
-}
-
-TEST_CASE("arguments: lists and tables are checked item by item, and come sorted by name") {
-    HostedLesson lesson;
-    REQUIRE(lesson.load("L:question 'q' { prompt = 'p', answers = { 'a', 'b' }, lists = { z = { "
-                        "'1' }, a = { '2', '3' } }, rules = { s = 'x', r = 'y' }, right = print }\n"
-                        "L:test { say = { 'x' }, expect = { score = 7, finished = true, "
-                        "caught = 3 } }") == "");
-    const auto& question = lesson.host->description().questions.at(0);
-    CHECK(question.answers == std::vector<std::string>{"a", "b"});
-    REQUIRE(question.lists.size() == 2);
-    CHECK(question.lists[0].first == "a");
-    CHECK(question.lists[0].second == std::vector<std::string>{"2", "3"});
-    using Pairs = std::vector<std::pair<std::string, std::string>>;
-    CHECK(question.rules == Pairs{{"r", "y"}, {"s", "x"}});
-    CHECK(lesson.host->description().tests.at(0).expect ==
-          Pairs{{"caught", "3"}, {"finished", "true"}, {"score", "7"}});
-}
-
 TEST_CASE("arguments: no function leaves its places on Lua's stack, whatever it is given") {
     const std::string prelude =
         "local things = {}\n"
@@ -165,65 +134,4 @@ TEST_CASE("arguments: room on Lua's stack is asked for, and Lua says where it ha
     REQUIRE(error);
     CAPTURE(to_sentence(to_error(*error)));
     CHECK(to_sentence(to_error(*error)).find("this calls itself too deeply") != std::string::npos);
-}
-
-TEST_CASE("arguments: what is left out is as the table says") {
-    HostedLesson lesson;
-    REQUIRE(lesson.start("world:body { name = 'a' } world:camera {} world:bucket() world:spring { "
-                         "at = { 0, 0, 0 }, stiffness = 5 }") == "");
-    const LessonDescription& scene = lesson.host->description();
-    CHECK(scene.level == "A1");
-    CHECK(scene.minutes == 10.0);
-    CHECK(scene.bodies[0].radius_m == 0.05);
-    CHECK(scene.bodies[0].mass_kg == 1.0);
-    CHECK(scene.bodies[0].exaggeration == 1.0);
-    CHECK_FALSE(scene.bodies[0].movable);
-    CHECK(scene.camera.eye_W == CameraDescription{}.eye_W);
-    CHECK(scene.camera.target_W == CameraDescription{}.target_W);
-    CHECK(scene.camera.vertical_angle_deg == CameraDescription{}.vertical_angle_deg);
-    CHECK(scene.bucket.present);
-    CHECK(scene.bucket.opening_radius_m == BucketDescription{}.opening_radius_m);
-    CHECK(scene.bucket.depth_m == BucketDescription{}.depth_m);
-    CHECK(scene.bucket.holds == 1);
-    CHECK(scene.forces[0].name == "spring1");
-    CHECK(scene.forces[0].field.damping_Ns_per_m == 0.0);
-}
-
-TEST_CASE("strict globals: what was assigned may be read, even nil") {
-    HostedLesson lesson;
-    CHECK(lesson.load("best = nil print(best) best = 3 print(best) best = nil print(best, _G[1])\n"
-                      "function L:start() print(later()) end\nfunction later() return 'late' end\n"
-                      "print(rawget(_G, 'never'))") == "");
-    CHECK(lesson.prints == "nil;3;nil\tnil;nil;late;");
-}
-
-TEST_CASE("strict globals: a simulated hand's are strict too") {
-    HostedLesson lesson;
-    REQUIRE(lesson.load("", "return function(hand)\n return hnd.x, 0, 0 end") == "");
-    CHECK(lesson.play() == "hand.lua:2: hnd has no value; did you mean hand?");
-}
-
-TEST_CASE("api: the same thing is the same object, fit for == and as a key") {
-    HostedLesson lesson;
-    REQUIRE(lesson.start("local a = world:body { name = 'a' } local t = { [a] = 'mine' } "
-                         "print(world:find('a') == a, world:bodies()[1] == a, t[world:find 'a'], "
-                         "world:tool() == world:tool(), tostring(a), tostring(world))") == "");
-    CHECK(lesson.prints == "true\ttrue\tmine\ttrue\ta\tworld;");
-}
-
-TEST_CASE("api: each function has its time") {
-    HostedLesson lesson;
-    REQUIRE(lesson.load("function L:start(world) self.world = world end function L:update() "
-                        "self.world:gravity(1) end") == "");
-    CHECK(lesson.play() ==
-          "lesson.lua:2: world:gravity declares something; that is only possible in L:start.");
-}
-
-TEST_CASE("api: a reply holds so many commands and no more") {
-    HostedLesson lesson;
-    REQUIRE(lesson.load("function L:update(world) for i = 1, 254 do world:score(i) end end") == "");
-    CHECK(lesson.play() == "");
-    CHECK(lesson.reply.commands.size() == 254);
-    REQUIRE(lesson.load("function L:update(world) for i = 1, 255 do world:score(i) end end") == "");
-    CHECK(lesson.play() == "lesson.lua:2: more than 256 commands in one frame.");
 }

@@ -120,13 +120,6 @@ TEST_CASE("lesson host: callbacks are looked up on every call, and may be missin
     CHECK(lesson.prints == "first;second;");
 }
 
-TEST_CASE("lesson host: a callback that is no function is told") {
-    HostedLesson lesson;
-    REQUIRE(lesson.load("L.update = 3") == "");
-    CHECK_THAT(lesson.play(),
-               Catch::Contains("L.update is no function; write function L:update(…) … end"));
-}
-
 TEST_CASE("lesson host: what start() asked for goes out once, with the first frame") {
     HostedLesson lesson;
     REQUIRE(lesson.start("world:caption 'welcome' print 'loading'") == "");
@@ -207,41 +200,4 @@ TEST_CASE("lesson host: two simulated hands each follow a script of their own") 
     lesson.message.second_hand = {"left.lua", "return function() return 'up' end"};
     REQUIRE(lesson.load(body, "return function() return 1, 2, 3 end") == "");
     CHECK(lesson.play(lesson.frame()).starts_with("left.lua:1: a simulated hand gives x, y and z"));
-}
-
-TEST_CASE("lesson host: a hand may turn, in degrees about a direction") {
-    HostedLesson lesson;
-    REQUIRE(lesson.load("", "return function() return 1, 2, 3, 0, { 0, 90, 0 } end") == "");
-    REQUIRE(lesson.play() == "");
-    const Vector3 nose_W = lesson.reply.hand_target_W.orientation * Vector3(0, 0, 1);
-    CHECK((nose_W - Vector3(1, 0, 0)).norm() < 1e-12);
-    for (const char* turn :
-         {"3", "{ 0, 90 }", "{ 0, 0/0, 0 }", "{ 0, 'a', 0 }", "{ 9999, 0, 0 }"}) {
-        HostedLesson wild;
-        REQUIRE(wild.load("", std::string("\nreturn function() return 1, 2, 3, nil, ") + turn +
-                                  " end") == "");
-        CHECK(wild.play() ==
-              "hand.lua:2: a simulated hand gives its turn as { x, y, z } in degrees, a direction "
-              "that it turns about by as much as it is long, at most 3600.");
-    }
-}
-
-TEST_CASE("lesson host: a hand's mistakes are told with its file") {
-    HostedLesson lesson;
-    CHECK(lesson.load("", "return 3") ==
-          "hand.lua:1: a simulated hand ends with return function(hand, t, world) … end.");
-    REQUIRE(HostedLesson().load("", "return function() return 1, 2, 3 end") == "");
-    HostedLesson wild;
-    REQUIRE(wild.load("", "\nreturn function() return 0/0, 2, 3 end") == "");
-    CHECK(wild.play() ==
-          "hand.lua:2: a simulated hand gives x, y and z in metres, -10100 to 10100, and buttons "
-          "if it presses any.");
-}
-
-TEST_CASE("lesson host: modules are loaded with the lesson only") {
-    HostedLesson lesson;
-    REQUIRE(lesson.load("function L:update() require 'story' end") == "");
-    CHECK(lesson.play() ==
-          "lesson.lua:2: require \"story\" failed: modules are loaded with the lesson; write this "
-          "at the top of the file.");
 }
