@@ -51,14 +51,3 @@ TEST_CASE("felt again: an error of form lets the hand feel the contrast, good En
         CHECK(pause(row.wrong) > good + 3.0);
     }
 }
-
-TEST_CASE("felt again: in textures the hand strokes the block once more") {
-    const Sandbox sandbox;
-    sandbox.write("say.txt",
-                  "metal is a hard and smooth\nwood is a hard and rough\nrock is hard and "
-                  "rough\nrock is a hard and rough\n");
-    const ProgramRun run =
-        sandbox.run("run textures --headless --feedback replay --say say.txt --seconds 100");
-    INFO(run.output);
-    CHECK(told_after(run.output, "metal is a hard and smooth", "Feel it again.") > 0.0);
-}

@@ -107,21 +107,6 @@ TEST_CASE("gravity: a wrong meaning is weighed again, a wrong form recast, the t
     CHECK(csv.output.find("Mina,") != std::string::npos);
 }
 
-TEST_CASE("gravity: a slip of form made again and again holds nobody back") {
-    const Sandbox sandbox;
-    sandbox.write(
-        "say.txt",
-        "an apple is heavier than an egg\n"
-        "an apple is the most heavy\n"    // recast
-        "watermelon is the most heavy\n"  // the same slip: once more, please; left to pass
-        "an egg is the lightest\n");
-    const ProgramRun run = sandbox.run("run gravity --headless --say say.txt --learner Mina");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    // Nine catches, and three points for each of the four right answers.
-    check_says(run.output, {"finished", "score 21, 3 of 3 stars, 4 answers"});
-}
-
 TEST_CASE("gravity: a hand never under the fruit catches nothing, and the run ends as told") {
     const Sandbox sandbox;
     sandbox.write("still.lua", "return function(hand, t, world) return 0.9, 0.3, 0 end\n");

@@ -26,30 +26,6 @@ TEST_CASE("kite: the hand feels the line, and more of it in more wind") {
     CHECK(largest_force_N(record) <= 5.0);
 }
 
-TEST_CASE("kite: the kite is built as it is said, and its flight decides") {
-    const Sandbox sandbox;
-    sandbox.write("say.txt",
-                  "use a heavier cloth\n"
-                  "it needs a tail\n"
-                  "the weight\n"
-                  "the lift\n"
-                  "I feel the tension\n"
-                  "the lift is stronger than the drag\n"
-                  "it pulls more\n"
-                  "because there is no wind\n");
-    check_run(sandbox.run("run kite --headless --say say.txt"), 0,
-              {"2 of 3 stars", "level    1: Build a kite", "It came down.", "It flies!",
-               "learner  the weight (wrong)", "learner  because there is no wind (right)"});
-}
-
-TEST_CASE("kite: what cannot be changed is told, and who is not understood gets a tail") {
-    const Sandbox sandbox;
-    sandbox.write("say.txt", "make the tail shorter\nbanana\nhelp\nhelp\nhelp\nhelp\nhelp\nhelp\n");
-    check_run(sandbox.run("run kite --headless --say say.txt --seconds 60"), {},
-              {"learner  make the tail shorter (wrong)", "It has no tail yet.", "Let's try a tail.",
-               "It flies!"});
-}
-
 TEST_CASE("kite: a hand that shakes, swings and lets line out all the time turns no answer") {
     const Sandbox sandbox;
     sandbox.write("say.txt",

@@ -34,29 +34,6 @@ TEST_CASE("lever: each level is pressed and lifted, and what the hand feels stay
     CHECK(late_N < 3.5);
 }
 
-TEST_CASE("lever: a wrong answer presses again with a hint, and costs a star") {
-    const Sandbox sandbox;
-    sandbox.write("say.txt",
-                  "near the support\n"
-                  "it is easier far from the support\n"
-                  "to my hand\n"
-                  "to the Earth\n"
-                  "a thousand newtons\n"
-                  "one newton\n");
-    const ProgramRun run = sandbox.run("run lever --headless --say say.txt");
-    INFO(run.output);
-    check_run(run, 0, {"score 9, 2 of 3 stars"});
-    // Without a window it is told what was asked, said and answered.
-    check_says(run.output, {"level    1: Near or far?", "asks     Where is it easier to press",
-                            "learner  near the support (wrong)", "answers  Not yet.",
-                            "learner  one newton (right)"});
-}
-
-TEST_CASE("lever: where the arm may give little the Earth gets lighter, and the lesson ends") {
-    const Sandbox sandbox;
-    check_run(sandbox.run("run lever --headless --force-limit 0.5"), 0, {"3 of 3 stars"});
-}
-
 TEST_CASE("lever: the plan turns a body on a hinge; gravity and textures have no such stage") {
     const Sandbox sandbox;
     const std::string lever_plan = sandbox.run("explain lever").output;

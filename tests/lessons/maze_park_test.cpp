@@ -149,32 +149,3 @@ TEST_CASE("maze park: what was wrong in another lesson is asked, nothing of one 
     CHECK(report.find("maze-park") != std::string::npos);
     CHECK(report.find("lever_") != std::string::npos);
 }
-
-TEST_CASE("maze park: every question of the bank is marked as its examples say") {
-    const Sandbox sandbox;
-    check_run(sandbox.run("check maze-park"), 0);
-}
-
-TEST_CASE("examples: one that comes out otherwise is one sentence with its line") {
-    const Sandbox sandbox;
-    sandbox.write("odd/lesson.lua", R"(local L = lesson { id = "odd", title = "Odd" }
-L:question "q" {
-  prompt = "Which one?", again = "Lift both.", answers = { "[a|an|the] {thing} is heavy" }, lists = { thing = { "apple", "egg" } },
-  right = function(a) return a.thing == "apple" end,
-  examples = { right = { "an apple is heavy", "an egg is heavy", "a apple is heavy", "no" }, wrong = { "an apple is heavy" },
-               form = { "an apple is heavy", "a apple is heavy" } },
-}
-return L
-)");
-    const ProgramRun run = sandbox.run("check odd");
-    INFO(run.output);
-    check_run(
-        run, 1,
-        {"\"an egg is heavy\" is said to be right, but its meaning is wrong",
-         "\"a apple is heavy\" is said to be right, but its form has R:DET",
-         "\"no\" is said to be right, but it is not understood",
-         "\"an apple is heavy\" is said to be wrong in meaning, but its meaning is right",
-         "\"an apple is heavy\" is said to be right with an error of form, but no error of form "
-         "is found"});
-    CHECK(lines_with(run.output, "lesson.lua:2").size() == 6);
-}

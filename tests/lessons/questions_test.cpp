@@ -143,17 +143,3 @@ TEST_CASE("questions: a ladder that is chosen for a learner is kept until anothe
     CHECK(play("--learner Mina --feedback lesson") == of_lesson);
     CHECK(play("--learner Mina") == of_lesson);
 }
-
-TEST_CASE("questions: steps of feedback that there are not are one sentence with their line") {
-    for (const char* wrong : {"feedback = { \"recats\" }", "feedback = {}", "feedback = 3",
-                              "feedback = \"rule\"", "feedback = { \"rule\", 1 }"}) {
-        const Sandbox sandbox;
-        sandbox.write("odd/lesson.lua",
-                      std::string("local L = lesson { id = \"q\", title = \"Q\",\n") + wrong +
-                          " }\nreturn L\n");
-        check_run(sandbox.run("check odd"), 1, {"lesson.lua:", "lesson.feedback"});
-    }
-    const Sandbox sandbox;
-    check_run(sandbox.run("run gravity --headless --feedback recast,,rule"), 2,
-              {"there is no step of feedback \"\"; steps are recast, prompt, rule and replay"});
-}

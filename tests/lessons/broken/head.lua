@@ -1,0 +1,3 @@
+local L = lesson { id = "q", title = "Q",
+… }
+return L
