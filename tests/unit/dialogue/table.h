@@ -3,6 +3,8 @@
 //
 //   @prompt Which one?    @answer [the] {thing} is red    @nearly {thing} be red
 //   @list thing: ball, box|case    @rule place: (on|under) it    @lists NAME (fruit or textures)
+//
+// "@talk …" says until the next law how a conversation goes.
 #pragma once
 
 #include "dialogue/marking/question.h"
@@ -31,6 +33,7 @@ using fulcrum::yes_or_no;
 class TableScene {
   public:
     std::string law{};
+    std::string talk{};
     std::string with{};                            ///< behind the probe's name
     QuestionSource source{"q", "Which one?", {}};  ///< of a question of the table's own
 
@@ -60,6 +63,11 @@ inline const Question& TableScene::question() {
 inline void TableScene::read(const std::string& word, const std::string& rest) {
     if (word == "law") {
         law = rest;
+        talk.clear();
+        return;
+    }
+    if (word == "talk") {
+        talk = rest;
         return;
     }
     question_.reset();

@@ -20,33 +20,14 @@ Feedback answer_once(Conversation& talk, const Question& question, std::string_v
     return talk.respond(talk.hear(said), true);
 }
 
-/// Finds one error in every text that has "have", none in others.
-CheckedText check_have(std::string_view text) {
-    CheckedText checked;
-    checked.corrected = checked.marked = std::string(text);
-    if (const std::size_t at = text.find("have"); at != std::string_view::npos) {
-        checked.errors.push_back({ErrorCode::agreement, at, at + 4, "have", "has"});
-        checked.corrected.replace(at, 4, "has");
-        checked.marked.replace(at, 4, "*has*");
-        checked.proven = true;
-    }
-    return checked;
-}
-
-/// Puts "goed" right, and "nearerer" without a proof.
+/// Puts "goed" right.
 CheckedText check_goed(std::string_view text) {
-    CheckedText checked;
-    checked.corrected = checked.marked = std::string(text);
-    for (const auto& [said, right] : {std::pair{"goed", "went"}, std::pair{"upper", "down"}}) {
-        const std::size_t at = text.find(said);
-        if (at != std::string_view::npos) {
-            const std::size_t size = std::string_view(said).size();
-            checked.errors.push_back({ErrorCode::verb_inflection, at, at + size, said, right});
-            checked.corrected.replace(at, size, right);
-            checked.marked.replace(at, size, std::string("*") + right + "*");
-            checked.proven = std::string_view(said) == "goed";
-            break;
-        }
+    CheckedText checked{{}, std::string(text), std::string(text)};
+    if (const std::size_t at = text.find("goed"); at != std::string_view::npos) {
+        checked.errors.push_back({ErrorCode::verb_inflection, at, at + 4, "goed", "went"});
+        checked.corrected.replace(at, 4, "went");
+        checked.marked.replace(at, 4, "*went*");
+        checked.proven = true;
     }
     return checked;
 }
@@ -67,39 +48,6 @@ Conversation invited() {
 }
 
 }  // namespace
-
-TEST_CASE(
-    "conversation: good English is shown for words that fit no answer, and nothing is called "
-    "wrong") {
-    Conversation talk(catalogue_words());
-    talk.set_form_check(check_have);
-    const Feedback feedback = answer_once(talk, heaviest(), "it have a ring");
-    CHECK(feedback.kind == FeedbackKind::not_understood);
-    CHECK(feedback.ask_again);
-    CHECK(feedback.text ==
-          "In English we say: It *has* a ring. I did not understand. Please say it again.");
-    REQUIRE(feedback.free_errors.size() == 1);
-    CHECK(feedback.free_errors[0].code == ErrorCode::agreement);
-    CHECK(feedback.keys.back() == "feedback.free_form");
-    // Each sentence with its capital, whatever was put right in it.
-    CHECK(answer_once(talk, heaviest(), "i like it. have i it?").text ==
-          "In English we say: I like it. *Has* I it? I did not understand. Please say it again.");
-}
-
-TEST_CASE(
-    "conversation: nothing is shown where no error is seen, where nobody checks, or where a "
-    "template takes it") {
-    Conversation talk(catalogue_words());
-    const Feedback unchecked = answer_once(talk, heaviest(), "it have a ring");
-    CHECK(unchecked.free_errors.empty());
-    CHECK(unchecked.text == "I did not understand. Please say it again.");
-    talk.set_form_check(check_have);
-    CHECK(answer_once(talk, heaviest(), "it is a ring").text == unchecked.text);
-    CHECK(answer_once(talk, heaviest(), "watermelon is most heavy").text ==
-          "Yes. A watermelon is *the heaviest*.");
-    talk.set_form_check({});
-    CHECK(answer_once(talk, heaviest(), "it have a ring").text == unchecked.text);
-}
 
 TEST_CASE(
     "conversation: a sentence that isn't proven is not said; of one error it is told what belongs "
@@ -140,59 +88,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("conversation: a reason behind an answer is read; what is wrong in it is said back") {
-    Conversation talk(catalogue_words());
-    talk.set_form_check(check_have);
-    const Feedback wrong =
-        answer_once(talk, heaviest(), "a watermelon is the heaviest because it have water");
-    CHECK(wrong.kind == FeedbackKind::recast);
-    CHECK(wrong.text == "Yes. A watermelon is the heaviest because it *has* water.");
-    REQUIRE(wrong.free_errors.size() == 1);
-    CHECK(wrong.free_errors[0].begin == 40);  // of all that was said
-    CHECK_FALSE(wrong.ask_again);
-    // Both are said back together.
-    CHECK(answer_once(talk, heaviest(), "watermelon is most heavy because it have water").text ==
-          "Yes. A watermelon is *the heaviest* because it *has* water.");
-}
-
-TEST_CASE("conversation: nothing is praised of a reason that nobody understands") {
-    for (const bool read : {true, false}) {
-        Conversation talk(catalogue_words());
-        if (read) {
-            talk.set_form_check([](std::string_view text) {
-                return CheckedText{{}, std::string(text), std::string(text)};
-            });
-        }
-        const Feedback feedback =
-            answer_once(talk, heaviest(), "a watermelon is the heaviest because big it has water");
-        CHECK(feedback.kind == FeedbackKind::praise);
-        CHECK(feedback.text == "Yes! A watermelon is the heaviest.");
-    }
-    // One error of it that is sure is told.
-    Conversation talk(catalogue_words());
-    talk.set_form_check([](std::string_view text) {
-        CheckedText checked = check_have(text);
-        checked.proven = false;
-        return checked;
-    });
-    CHECK(answer_once(talk, heaviest(), "a watermelon is the heaviest because big it have").text ==
-          "Yes! A watermelon is the heaviest. Here we say *has*, not have.");
-}
-
-TEST_CASE("conversation: a reason that is good English is praised with its answer") {
-    Conversation talk(catalogue_words());
-    talk.set_form_check([](std::string_view text) {
-        CheckedText checked{{}, std::string(text), std::string(text)};
-        checked.proven = true;
-        return checked;
-    });
-    CHECK(answer_once(talk, heaviest(), "a watermelon is the heaviest because it is big").text ==
-          catalogue_words().say("feedback.praise.1"));
-    // So is a consequence.
-    CHECK(answer_once(talk, heaviest(), "a watermelon is the heaviest so it falls").text ==
-          catalogue_words().say("feedback.praise.2"));
-}
-
 TEST_CASE(
     "conversation: where the good English for it is an answer, that was meant, with an error") {
     Conversation talk(catalogue_words());
@@ -210,30 +105,6 @@ TEST_CASE(
     CHECK(mark.form_errors[0].errant() == "R:VERB:INFL");
     CHECK(mark.form_errors[0].begin == 10);
     CHECK(mark.form_errors[0].end == 14);
-    const Feedback feedback = talk.respond(mark, true);
-    CHECK(feedback.kind == FeedbackKind::recast);
-    CHECK(feedback.text == "Yes. The stone *went* down.");
-    CHECK_FALSE(feedback.ask_again);
-    // It is the lesson that says whether its meaning is right.
-    talk.ask(question);
-    CHECK(talk.respond(talk.hear("the stone goed up"), false).kind == FeedbackKind::wrong_meaning);
-}
-
-TEST_CASE("conversation: what is not proven, or is no answer even then, is not understood") {
-    Conversation talk(catalogue_words());
-    const Question question = where_it_went();
-    talk.ask(question);
-    CHECK_FALSE(talk.hear("the stone goed down").understood);  // nobody checks
-    talk.set_form_check(check_goed);
-    for (const char* said : {"the stone went upper", "the bird goed down", "it went away"}) {
-        INFO(said);
-        talk.ask(question);
-        CHECK_FALSE(talk.hear(said).understood);
-    }
-    talk.ask(question);
-    CHECK_FALSE(talk.hear("the stone goed down", 0.1).understood);  // nor was it heard
-    talk.ask(question);
-    CHECK_FALSE(talk.hear("the stone goed down", 1.0, false).understood);
 }
 
 TEST_CASE(
@@ -273,35 +144,6 @@ TEST_CASE("conversation: typed or heard word for word the form is known, right o
     CHECK_FALSE(talk.hear("nonsense", 0.9, false).form_known);
 }
 
-TEST_CASE("conversation: a repeat whose form was not heard is neither repaired nor not") {
-    for (const char* said : {"an apple is the heaviest", "an apple is the most heavy"}) {
-        Conversation talk = invited();
-        const Feedback feedback = talk.respond(talk.hear(said, 0.9, false), true);
-        CHECK(feedback.uptake == Uptake::none);
-        CHECK(feedback.text == "Yes. An apple is *the heaviest*.");
-        CHECK(talk.state() == Conversation::State::done);
-        // It did not clear the ladder: the third time comes the rule.
-        CHECK(answer_once(talk, heaviest(), "an apple is the most heavy").kind ==
-              FeedbackKind::rule);
-    }
-}
-
-TEST_CASE("conversation: words whose form was not heard are not checked") {
-    Conversation talk(catalogue_words());
-    talk.set_form_check([](std::string_view text) {
-        CheckedText checked;
-        checked.corrected = checked.marked = std::string(text);
-        checked.errors.push_back({ErrorCode::agreement, 0, 2, "it", "they"});
-        return checked;
-    });
-    talk.ask(heaviest());
-    CHECK(talk.respond(talk.hear("it have a ring"), true).free_errors.size() == 1);
-    const Feedback meaning = talk.respond(talk.hear("it have a ring", 0.9, false), true);
-    CHECK(meaning.kind == FeedbackKind::not_understood);
-    CHECK(meaning.free_errors.empty());
-    CHECK(meaning.text.find("In English we say") == std::string::npos);
-}
-
 TEST_CASE("conversation: a repeat that is heard badly is asked for again, and is not unrepaired") {
     constexpr double kBadly = 0.2;
     for (const char* said : {"an apple is the most heavy", "an apple is the heaviest", "what?"}) {
@@ -321,24 +163,6 @@ TEST_CASE("conversation: a repeat that is heard badly is asked for again, and is
             CHECK(talk.state() == Conversation::State::done);
         }
     }
-}
-
-TEST_CASE("conversation: nobody is held at an invitation for being heard badly") {
-    Conversation talk = invited();
-    for (int i = 0; i < 2; ++i) {
-        CHECK(talk.respond(talk.hear("an apple is the heaviest", 0.1), true).ask_again);
-    }
-    const Feedback last = talk.respond(talk.hear("an apple is the heaviest", 0.1), true);
-    CHECK(last.kind == FeedbackKind::heard_badly);
-    CHECK_FALSE(last.ask_again);
-    CHECK(last.uptake == Uptake::none);
-    CHECK(last.text == "Yes. An apple is *the heaviest*.");
-    CHECK(talk.state() == Conversation::State::done);
-    // The next invitation begins to count anew.
-    CHECK(answer_once(talk, heaviest(), "an apple is the heaviest").kind == FeedbackKind::praise);
-    CHECK(answer_once(talk, heaviest(), "an apple is the most heavy").kind == FeedbackKind::recast);
-    CHECK(answer_once(talk, heaviest(), "an apple is the most heavy").kind == FeedbackKind::prompt);
-    CHECK(talk.respond(talk.hear("an apple is the heaviest", 0.1), true).ask_again);
 }
 
 TEST_CASE(
