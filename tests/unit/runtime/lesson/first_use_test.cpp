@@ -64,28 +64,6 @@ Matrix3 mirror_x() {
 
 }  // namespace
 
-TEST_CASE("first use: words name one way, or none") {
-    CHECK(way_in("left") == Way::left);
-    CHECK(way_in("It pushes me... up!") == std::nullopt);
-    CHECK(way_in("It goes UP.") == Way::up);
-    CHECK(way_in("to me") == Way::near);
-    CHECK(way_in("to you") == Way::near);
-    CHECK(way_in("away from me") == Way::away);
-    CHECK(way_in("left or right") == std::nullopt);
-    CHECK(way_in("upset, leftover") == std::nullopt);
-    CHECK(way_in("") == std::nullopt);
-    CHECK(way_in("down down") == Way::down);
-    CHECK(which_in("The second one") == 1);
-    CHECK(which_in("first") == 0);
-    CHECK(which_in("first or second") == std::nullopt);
-    CHECK(which_in("both") == std::nullopt);
-    CHECK(says_nothing("I feel nothing"));
-    CHECK(says_nothing("They are the same."));
-    CHECK_FALSE(says_nothing("right"));
-    CHECK_FALSE(says_nothing("samely, nothingness"));
-    CHECK_FALSE(says_nothing(""));
-}
-
 TEST_CASE("first use: a good arm is found good, watched or asked about, below 1 N and softly") {
     for (const bool asks : {false, true}) {
         PushedArm bench;
