@@ -2,21 +2,8 @@
 # arm.sh FULCRUM: the arm link as a person uses it, between two processes over a real socket: a lesson is played with the arm, the
 # program is killed, the arm fades by itself, a stop from outside, another key, an arm that is held, none at all, and a bad line.
 set -euo pipefail
-# shellcheck source=tests/system/arm_home.sh
-source "$(dirname -- "$0")/arm_home.sh" "$1"
-# expect FILE PATTERN WHY
-expect() { grep -qE "$2" "$1" || fail "$3"; }
-# start_arm NAME OPTIONS…: in the background; its port in $port, its process in $arm.
-start_arm() {
-    local name=$1
-    shift
-    # Its keyboard is a pipe that stays open: an end of input would be heard.
-    mkfifo "$home/$name.keys"
-    "$fulcrum" arm --port 0 "$@" <>"$home/$name.keys" >"$home/$name.log" 2>&1 &
-    arm=$!
-    arms+=("$arm")
-    await_arm "$home/$name.log"
-}
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 # A ceiling that the circling hand goes up into, for three seconds of five: the arm presses.
 mkdir "$home/ceiling"
 cat >"$home/ceiling/lesson.lua" <<'LUA'

@@ -2,26 +2,10 @@
 # contact_thread.sh FULCRUM LEVER PLANETS: both lessons as in a window, on threads, by tools whose contacts another thread finds, or that another thread
 # moves: it ran, it kept pace, the haptic loop kept its time, and the record says that it was there.
 set -euo pipefail
-fulcrum=$1
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data XDG_CACHE_HOME=$home/cache
-unset DISPLAY
-arm=
-trap '[[ -z $arm ]] || kill "$arm" 2>/dev/null || true; wait 2>/dev/null || true; rm -rf "$home"' EXIT
-
-fail() {
-    echo "contact_thread.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
-    exit 1
-}
-expect() { grep -qE "$2" "$1" || fail "$3"; }
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 # An arm in another process, so that the program keeps the time of the wall.
-# shellcheck source=tests/system/arm_port.sh
-source "$(dirname -- "$0")/arm_port.sh"
-mkfifo "$home/keys"
-"$fulcrum" arm --port 0 --motion circle <>"$home/keys" >"$home/arm.log" 2>&1 &
-arm=$!
-await_arm "$home/arm.log"
+start_arm arm --motion circle
 # live LESSON OPTIONS…: by that arm, without a window.
 live() {
     local lesson=$1

@@ -2,18 +2,8 @@
 # faults.sh FULCRUM: what surrounds a run goes wrong, and the forces are as they were: a lesson that makes much garbage, a full disk under the
 # record and under what is kept of a learner, a disk that is slow; what is kept is taken away while somebody plays.
 set -euo pipefail
-fulcrum=$1
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data
-unset DISPLAY
-trap 'rm -rf "$home"' EXIT
-
-fail() {
-    echo "faults.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
-    exit 1
-}
-expect() { grep -qE "$2" "$1" || fail "$3"; }
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 
 # A spring that follows, and in every frame three thousand tables that nobody keeps, or none: every round of the record is the same to the bit.
 mkdir "$home/tidy" "$home/litter"

@@ -2,38 +2,11 @@
 # hand_fit.sh FULCRUM: how an arm is set is kept with the learner and the arm, and its forces are tried once, between two processes
 # over a real socket.
 set -euo pipefail
-fulcrum=$1
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config
-unset DISPLAY
-arm=
-second=
-third=
-cleanup() {
-    [[ -z $arm ]] || kill "$arm" 2>/dev/null || true
-    [[ -z $second ]] || kill "$second" 2>/dev/null || true
-    [[ -z $third ]] || kill "$third" 2>/dev/null || true
-    wait 2>/dev/null || true
-    rm -rf "$home"
-}
-trap cleanup EXIT
-
-fail() {
-    echo "hand_fit.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
-    exit 1
-}
-# shellcheck source=tests/system/arm_port.sh
-source "$(dirname -- "$0")/arm_port.sh"
-expect() { grep -qE "$2" "$1" || fail "$3"; }
-refuse() { ! grep -qE "$2" "$1" || fail "$3"; }
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 
 # An arm on a desk, which reaches 16 by 12 by 7 cm.
-mkfifo "$home/keys"
-: >"$home/arm.log"  # is looked at before the arm has said anything
-"$fulcrum" arm --arm desktop --port 0 <>"$home/keys" >"$home/arm.log" 2>&1 &
-arm=$!
-await_arm "$home/arm.log"
+start_arm arm --arm desktop
 echo "an egg is the lightest" >"$home/say.txt"
 # play NAME OPTIONS...: a second of the gravity game.
 play() {
@@ -64,19 +37,13 @@ expect "$home/other.log" 'so it moves 4[.]0 times' "another learner has Mina's s
 kill "$arm" && wait "$arm" 2>/dev/null || true
 mkdir -p "$home/weak/fulcrum"
 echo "force_limit = 2" >"$home/weak/fulcrum/site.conf"
-: >"$home/arm.log"
-XDG_CONFIG_HOME=$home/weak "$fulcrum" arm --arm desktop --port 0 --key "$home/config/fulcrum/arm.key" <>"$home/keys" >"$home/arm.log" 2>&1 &
-arm=$!
-await_arm "$home/arm.log"
+XDG_CONFIG_HOME=$home/weak start_arm weak_arm --arm desktop --key "$home/config/fulcrum/arm.key"
 play weak --learner Mina --first-use never --record "$home/weak.rec"
 "$fulcrum" export "$home/weak.rec" --out "$home/weak.csv" >"$home/export.log" 2>&1 || fail "the record was not exported"
 grep -hE '^"?option[.]device N"?,"?2"?' "$home"/weak*.csv >/dev/null || fail "the lesson was not fitted to an arm of 2 N: $(grep -h 'device N' "$home"/weak*.csv)"
 # Two arms: each is tried once and moves as far as it reaches; each has settings of its own.
 first_port=$port
-: >"$home/second.log"
-"$fulcrum" arm --arm desktop --port 0 --key "$home/config/fulcrum/arm.key" <>"$home/keys" >"$home/second.log" 2>&1 &
-second=$!
-await_arm "$home/second.log"
+start_arm second --arm desktop --key "$home/config/fulcrum/arm.key"
 play_both() {
     "$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --hand "udp:127.0.0.1:$first_port" \
         --hand "udp:127.0.0.1:$port" --say "$home/say.txt" --db "$home/p.db" --seconds 1 --learner Ana >"$1" 2>&1 ||
@@ -90,12 +57,8 @@ expect "$home/both.log" 'The second arm reaches 16 by 12 by 7 cm, so it moves' "
 felt=$(sed -n 's/.*most \([0-9.]*\).*/\1/p' "$home/second.log" | tail -n 1)
 [[ -n $felt ]] && awk "BEGIN { exit !($felt > 0.5) }" || fail "the second arm felt $felt N"
 # Two arms, each with a key of its own.
-mkfifo "$home/third.keys"
-: >"$home/third.log"
 second_port=$port
-"$fulcrum" arm --arm desktop --port 0 --key "$home/third.key" <>"$home/third.keys" >"$home/third.log" 2>&1 &
-third=$!
-await_arm "$home/third.log"
+start_arm third --arm desktop --key "$home/third.key"
 cmp -s "$home/third.key" "$home/config/fulcrum/arm.key" && fail "two arms have one key"
 play_keys() {
     "$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --first-use never --say "$home/say.txt" --db "$home/p.db" \
@@ -106,8 +69,7 @@ play_keys "$home/keys_both.log" --key "$home/config/fulcrum/arm.key" --hand "udp
     fail "two arms whose keys are both named were not played with"
 ! play_keys "$home/keys_wrong.log" --key "$home/third.key" --hand "udp:127.0.0.1:$port" || fail "the second arm's key opened the first"
 expect "$home/keys_wrong.log" 'no arm answers' "nothing says that the first arm does not answer"
-kill "$third" && wait "$third" 2>/dev/null || true
-third=
+kill "$arm" && wait "$arm" 2>/dev/null || true
 port=$second_port
 # Two arms that nobody has tried: a guest's are tried each time, without a window too; none pushes before that with more than 0.8 N.
 guest() {

@@ -2,8 +2,8 @@
 # real_time.sh FULCRUM: runs whose loops keep real time are recorded and repeated, every force the same to the bit: of a world, a kite, a lever,
 # rigid bodies, and of an arm in another process. A record that does not tell what the loops were told says so.
 set -euo pipefail
-# shellcheck source=tests/system/arm_home.sh
-source "$(dirname -- "$0")/arm_home.sh" "$1"
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 # repeat NAME LESSON: the record NAME.rec gives every force again.
 repeat() {
     "$fulcrum" run "$2" --headless --hand "replay:$home/$1.rec" >"$home/$1.again.log" 2>&1 ||
@@ -35,10 +35,7 @@ if [[ $code -ne 0 ]]; then
 fi
 
 # Through a link, whose line loses packets.
-mkfifo "$home/keys"
-"$fulcrum" arm --port 0 --motion circle --loss 3 --burst 5 --jitter 1 --seed 7 <>"$home/keys" >"$home/arm.log" 2>&1 &
-arms+=("$!")
-await_arm "$home/arm.log"
+start_arm arm --motion circle --loss 3 --burst 5 --jitter 1 --seed 7
 "$fulcrum" run gravity --headless --first-use never --hand "udp:127.0.0.1:$port" --seconds 4 --record "$home/link.rec" \
     >"$home/link.log" 2>&1 || fail "the lesson was not played over the link"
 repeat link gravity

@@ -2,24 +2,9 @@
 # signals.sh FULCRUM: a run that Ctrl-C, the system or a closed terminal ends: the force fades, record and progress are whole, the lesson's
 # process is gone, and the exit code is 128 and the signal's number. With an arm in real time, and under a virtual clock.
 set -euo pipefail
-fulcrum=$1
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data
-unset DISPLAY
-arm=
-trap '[[ -z $arm ]] || kill "$arm" 2>/dev/null || true; wait 2>/dev/null || true; rm -rf "$home"' EXIT
-
-fail() {
-    echo "signals.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
-    exit 1
-}
-# shellcheck source=tests/system/arm_port.sh
-source "$(dirname -- "$0")/arm_port.sh"
-mkfifo "$home/keys"
-"$fulcrum" arm --port 0 <>"$home/keys" >"$home/arm.log" 2>&1 &
-arm=$!
-await_arm "$home/arm.log"
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
+start_arm arm
 
 # A spring that is felt from half a second on, a question that is answered, and nothing that would end it.
 mkdir "$home/lesson"

@@ -3,19 +3,10 @@
 # set while it plays. The last two are libraries that stand before the system's. Each end is a sentence, the forces are as they were, and what was
 # kept of a learner stays.
 set -euo pipefail
-fulcrum=$1
 memory_gone=$2
 clock_set=$3
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data
-unset DISPLAY
-trap 'rm -rf "$home"' EXIT
-
-fail() {
-    echo "spoiled_system.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 6 "$log"; done >&2
-    exit 1
-}
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 
 "$fulcrum" run gravity --headless --errors 0 --learner Mina >"$home/kept.log" 2>&1 || fail "the lesson was not played"
 "$fulcrum" report --format csv >"$home/before.csv" 2>"$home/report.log" || fail "there is no report"

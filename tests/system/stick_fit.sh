@@ -2,25 +2,10 @@
 # stick_fit.sh PROGRAM SHIM DEVICE: a joystick with motors is tried at a learner's first use as an arm is: weakly, once; then it gives
 # all its force. One that pushes the wrong way gives none, and one that nobody has tried a third.
 set -euo pipefail
-fulcrum=$1
 shim=$2
 device=$3
-home=$(mktemp -d)
-export HOME=$home XDG_CONFIG_HOME=$home/config
-unset DISPLAY
-cleanup() {
-    [[ -z ${virtual_PID:-} ]] || kill "$virtual_PID" 2>/dev/null || true
-    wait 2>/dev/null || true
-    rm -rf "$home"
-}
-trap cleanup EXIT
-fail() {
-    echo "stick_fit.sh: $1" >&2
-    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
-    exit 1
-}
-expect() { grep -qE "$2" "$1" || fail "$3"; }
-refuse() { ! grep -qE "$2" "$1" || fail "$3"; }
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 
 # A spring to where the hand begins, told of four times a second.
 mkdir "$home/x"
@@ -43,6 +28,8 @@ LUA
 echo "yes" >"$home/say.txt"
 path=$home/d.hid
 coproc virtual { "$device" stick "$path"; }
+# shellcheck disable=SC2154 # bash gives it
+started+=("$virtual_PID")
 read -r -t 30 -u "${virtual[0]}" said && [[ $said == plugged ]]
 tell() { printf '%s\n' "$*" >&"${virtual[1]}"; }
 # felt: the most of the full force since the last time.

@@ -2,18 +2,11 @@
 # unruly_recogniser.sh FULCRUM: a program that hears and floods, or says nothing, stops no lesson: the run ends with a sentence, and a signal
 # ends it at once.
 set -euo pipefail
-fulcrum=$1
-home=$(mktemp -d)
-export HOME=$home
-unset DISPLAY WAYLAND_DISPLAY XDG_DATA_HOME XDG_CACHE_HOME XDG_CONFIG_HOME
+# shellcheck source=tests/system/home.sh
+source "$(dirname -- "$0")/home.sh" "$1"
 player=
-trap '[[ -z $player ]] || kill -KILL "$player" 2>/dev/null || true; wait 2>/dev/null || true; rm -rf "$home"' EXIT
-
-fail() {
-    echo "unruly_recogniser.sh: $1" >&2
-    cat "$home/said" >&2
-    exit 1
-}
+# What is tried may take no notice of a kinder signal.
+trap '[[ -z $player ]] || kill -KILL "$player" 2>/dev/null || true; cleanup' EXIT
 # A quarter of a second of silence: a WAV file of 16-bit samples, mono, 16 kHz.
 {
     printf 'RIFF\x64\x1f\x00\x00WAVEfmt \x10\x00\x00\x00\x01\x00\x01\x00\x80\x3e\x00\x00\x00\x7d\x00\x00\x02\x00\x10\x00data\x40\x1f\x00\x00'
@@ -36,7 +29,7 @@ return L
 LUA
 
 begin() {
-    env --default-signal=INT "$fulcrum" run "$home/lesson" --headless --speech "exec:$1" --hear "$home/list" "${@:2}" >"$home/said" 2>&1 &
+    env --default-signal=INT "$fulcrum" run "$home/lesson" --headless --speech "exec:$1" --hear "$home/list" "${@:2}" >"$home/said.log" 2>&1 &
     player=$!
 }
 seconds() { date +%s%N | sed 's/.........$//'; }
@@ -50,13 +43,13 @@ ends() {
     player=
     [[ $code -eq 1 ]] || fail "$1: code $code, not 1"
     (($(seconds) - from <= $3)) || fail "$1: took longer than $3 s"
-    grep -qF "$2" "$home/said" || fail "$1: nobody says: $2"
-    grep -q 'nobody answered' "$home/said" || fail "$1: nothing is said of the end"
+    grep -qF "$2" "$home/said.log" || fail "$1: nobody says: $2"
+    grep -q 'nobody answered' "$home/said.log" || fail "$1: nothing is said of the end"
     echo yes >"$home/typed"
     begin "$1" --say "$home/typed"
     wait "$player" || fail "$1: what is typed does not go on"
     player=
-    grep -q '^answered' "$home/said" || fail "$1: typing did not answer"
+    grep -q '^answered' "$home/said.log" || fail "$1: typing did not answer"
 }
 ends yes "says much more than it is asked, and was ended; type the answers." 30
 ends "tr '\\0' a </dev/zero" "says a line that is too long; type the answers." 30
