@@ -1,5 +1,3 @@
 # The arm link between two processes, over a real socket.
-add_test(NAME "system: an arm in another process is played with, and fades by itself"
-         COMMAND ${CMAKE_SOURCE_DIR}/tests/system/arm.sh $<TARGET_FILE:fulcrum>)
-set_tests_properties("system: an arm in another process is played with, and fades by itself"
-                     PROPERTIES LABELS system TIMEOUT 180 RESOURCE_LOCK real_time COST 1000)
+fulcrum_system_test("an arm in another process is played with, and fades by itself" arm.sh
+                    WITH $<TARGET_FILE:fulcrum> REAL_TIME TIMEOUT 180)
