@@ -50,7 +50,7 @@ std::string of_slots(const Slots& slots) {
 //   @law NAME           of two things again     @lesson questions, planets or bare
 //   @answers A || B     @lists thing: a, b|c; other: d     @rules place: (on|under) it     @again Weigh them.
 //   @known colour: what colour is it || …     one thing more that it knows     @nearly of the last of these
-//   @bodies it: Stone; earth: Earth           @sounds of the words below
+//   @bodies it: Stone; earth: Earth           @sounds of the words below     @tries 4
 class Scene {
   public:
     LessonDescription lesson = two_things();
@@ -75,6 +75,8 @@ class Scene {
                 named(rest);
         } else if (word == "again") {
             question->again = rest;
+        } else if (word == "tries") {
+            lesson.tries = std::stoi(rest);
         } else if (word == "nearly") {
             lesson.knowledge.back().nearly = listed(rest, " || ");
         } else if (word == "known") {

@@ -180,16 +180,6 @@ TEST_CASE("question dialogue: whatever state another question interrupts, it can
     }
 }
 
-TEST_CASE("question dialogue: what was set aside counts on, what is asked anew begins anew") {
-    QuestionDialogue dialogue = in_state(State::set_aside);
-    (void)dialogue.ask("heaviest", 0.0);
-    (void)dialogue.hear(kRight, 1.0, 0.0);
-    CHECK(told(dialogue.judge("heaviest", true, 0.0)).at(0).attempt == 2);
-    (void)dialogue.ask("heaviest", 0.0);
-    (void)dialogue.hear(kRight, 1.0, 0.0);
-    CHECK(told(dialogue.judge("heaviest", true, 0.0)).at(0).attempt == 1);
-}
-
 TEST_CASE("question dialogue: words heard badly are asked for again and never told as wrong") {
     QuestionDialogue dialogue = in_state(State::open);
     (void)dialogue.hear(kWrong, 0.1, 0.0);
@@ -234,19 +224,6 @@ TEST_CASE("question dialogue: a repeat heard badly is invited anew, and never ke
         CHECK(told(dialogue.step(kLater_s + kLongEnough_s)).size() == 1);
     }
     CHECK((dialogue.state() == State::closed));
-}
-
-TEST_CASE("question dialogue: words that never fit leave the question in the end, and it is told") {
-    QuestionDialogue dialogue = in_state(State::open);
-    std::vector<AnsweredEvent> answers;
-    for (int i = 0; i < 20 && answers.empty(); ++i) {
-        CHECK(dialogue.state() == State::open);
-        answers = told(dialogue.hear(kNonsense, 1.0, 0.0));
-    }
-    REQUIRE(answers.size() == 1);
-    CHECK(answers[0].over);
-    CHECK_FALSE(answers[0].understood);
-    CHECK(dialogue.state() == State::closed);
 }
 
 TEST_CASE("question dialogue: in any order an open question hears, and is over at most once") {
@@ -335,25 +312,6 @@ TEST_CASE("question dialogue: where asking is the answer, what is asked elsewher
     QuestionDialogue other = make_dialogue();
     (void)other.ask("heaviest", 0.0);
     CHECK_FALSE(other.wants_question());
-}
-
-TEST_CASE("question dialogue: a number that no list has is wrong without asking the lesson") {
-    LessonDescription lesson = two_things();
-    lesson.questions[0].answers = {"{number} <plural:egg>"};
-    lesson.questions[0].lists = {{"number", {"one", "two"}}};
-    QuestionDialogue dialogue{compile_questions(lesson).value(), words()};
-    (void)dialogue.ask("heaviest", 0.0);
-    const QuestionTurn turn = dialogue.hear("fifteen eggs", 1.0, 1.0);
-    CHECK(dialogue.state() == State::set_aside);
-    REQUIRE(turn.answer);
-    CHECK(turn.answer->feedback.keys == std::vector<std::string>{"feedback.other_number"});
-    const std::vector<AnsweredEvent> answers = told(turn);
-    REQUIRE(answers.size() == 1);
-    CHECK(turn.events.size() == 1);
-    CHECK(answers[0].understood);
-    CHECK_FALSE(answers[0].right);
-    CHECK_FALSE(answers[0].over);
-    CHECK(answers[0].slots.empty());
 }
 
 TEST_CASE("question dialogue: words that fit no answer are checked where a lesson wants it") {

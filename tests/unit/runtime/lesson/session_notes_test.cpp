@@ -112,23 +112,6 @@ TEST_CASE("transcript: a play tells its captions, questions, answers and levels 
     CHECK_THAT(answered.said[1], Catch::EndsWith("answers  Yes. *An apple* is the heaviest."));
 }
 
-TEST_CASE("session: a question is left after as many wrong answers as the lesson says") {
-    const int tries = GENERATE(1, 2, 4, 7);
-    LessonDescription lesson = two_things();
-    CHECK(lesson.tries == 4);
-    lesson.tries = tries;
-    Play play(lesson);
-    play.frame();
-    for (int i = 1; i <= tries; ++i) {
-        CAPTURE(i);
-        play.reply({AskCommand{"heaviest"}});
-        const AnsweredEvent answered = play.answer("the egg is the heaviest", false);
-        CHECK_FALSE(answered.right);
-        CHECK(answered.over == (i == tries));
-    }
-    CHECK(play.store.data.attempts.back().feedback == "moved_on");
-}
-
 TEST_CASE("session: how surely an answer must be heard is the lesson's, else who starts it says") {
     const PlanOptions options = hearing("the apple is the heaviest", "0.5");
     LessonDescription lesson = two_things();
