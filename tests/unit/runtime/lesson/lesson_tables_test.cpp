@@ -6,7 +6,7 @@
 #include "runtime/lesson/questions.h"
 #include "runtime/lesson/sentence_form.h"
 #include "tests/support/table.h"
-#include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/lesson/question_states.h"
 #include "tests/unit/runtime/rig.h"
 
 using namespace fulcrum::runtime::test;
@@ -251,6 +251,22 @@ class Script {
     }
 };
 
+/// What comes of it in this state of a dialogue, and what the lesson is told: "set_aside, wrong".
+std::string turn(const std::string& from, const std::string& what) {
+    constexpr std::array kNames{"closed",    "open",    "judging",
+                                "set_aside", "invited", "judging_again"};
+    const auto state = std::ranges::find(kNames, from) - kNames.begin();
+    QuestionDialogue dialogue = in_state(static_cast<QuestionState>(state));
+    const std::vector<AnsweredEvent> answers = told(take(dialogue, what));
+    std::string came = kNames.at(static_cast<std::size_t>(dialogue.state()));
+    for (const AnsweredEvent& answered : answers) {
+        CHECK(answered.question == "heaviest");
+        came +=
+            std::string(answered.right ? ", right" : ", wrong") + (answered.over ? " over" : "");
+    }
+    return came;
+}
+
 TableReader make_reader() {
     const auto scene = std::make_shared<Scene>();
     const auto with_answers = [scene](const std::string& in) {
@@ -306,6 +322,7 @@ TableReader make_reader() {
          }},
         {"things",
          [=](auto&, const std::string& in) { return spaced(things_of(with_answers(in).lesson)); }},
+        {"turn", turn},
         {"play", [scene](auto&, const std::string& in) { return Script(scene->lesson).run(in); }}};
     return {probes,
             [scene](const std::string& word, const std::string& rest) { scene->read(word, rest); }};
