@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <optional>
 
 using namespace fulcrum;
 using test_link::Engaged;
@@ -67,71 +66,47 @@ TEST_CASE("link: a second program is told that the arm is taken, and disturbs no
 
 TEST_CASE("link: a bye frees the arm for the next") {
     Engaged held;
-    held.pair.tap.keeps = true;
-    held.wrench = {};
-    {
-        // The first program ends in good order.
-        LinkPacket bye;
-        bye.head = {PacketKind::bye, 1000, 2000, 1'000'000, 1, 0, 0};
-        held.send(bye);
-    }
+    held.send(test_link::make_numbered(PacketKind::bye, {1000, 2000, 1'000'000}));
     held.commands = false;
     held.run(1);
     CHECK_FALSE(held.arm().held);
 }
 
 TEST_CASE("link: the least of program, run, arm's settings and arm holds, of torques too") {
+    struct Most {
+        double N, Nm;
+    };
     struct Limits {
         const char* who;
-        ArmServerSettings server;
-        LinkDeviceSettings program;
-        std::optional<SafetySettings> run;  // what it tells of its limits
-        double arm_N, arm_Nm;
-        double felt_N, felt_Nm;
+        Most program, run, settings, arm, felt;
     };
-    const ScriptedDevice any;
-    const double any_N = any.traits_.max_force_N;
-    const double any_Nm = any.traits_.max_torque_Nm;
-    const LinkDeviceSettings open{.max_force_N = 10.0, .max_torque_Nm = 1.0};
-    for (const Limits& limits : {Limits{"program",
-                                        {},
-                                        {.max_force_N = 3.0, .max_torque_Nm = 0.1},
-                                        {},
-                                        any_N,
-                                        any_Nm,
-                                        3.0,
-                                        0.1},
-                                 Limits{"run",
-                                        {},
-                                        open,
-                                        SafetySettings{.max_force_N = 1.5, .max_torque_Nm = 0.1},
-                                        any_N,
-                                        any_Nm,
-                                        1.5,
-                                        0.1},
-                                 Limits{"settings",
-                                        {.safety = {.max_force_N = 1.5, .max_torque_Nm = 0.05}},
-                                        open,
-                                        {},
-                                        any_N,
-                                        any_Nm,
-                                        1.5,
-                                        0.05},
-                                 Limits{"arm", {}, open, {}, 2.0, 0.05, 2.0, 0.05}}) {
+    const ScriptedDevice scripted;
+    const Most any{scripted.traits_.max_force_N, scripted.traits_.max_torque_Nm};
+    const Most open{10.0, 1.0};
+    const Most untold{0.0, 0.0};  // by a run that says nothing of its limits
+    for (const Limits& limits : {Limits{"program", {3.0, 0.1}, untold, open, any, {3.0, 0.1}},
+                                 Limits{"run", open, {1.5, 0.1}, open, any, {1.5, 0.1}},
+                                 Limits{"settings", open, untold, {1.5, 0.05}, any, {1.5, 0.05}},
+                                 Limits{"arm", open, untold, open, {2.0, 0.05}, {2.0, 0.05}}}) {
         CAPTURE(limits.who);
-        DeviceTraits traits = any.traits_;
-        traits.max_force_N = limits.arm_N;
-        traits.max_torque_Nm = limits.arm_Nm;
-        Held held({}, limits.server, limits.program, traits);
-        if (limits.run) {
-            held.pair.device.tell_limits(*limits.run);
+        DeviceTraits traits = scripted.traits_;
+        traits.max_force_N = limits.arm.N;
+        traits.max_torque_Nm = limits.arm.Nm;
+        ArmServerSettings server;
+        server.safety.max_force_N = limits.settings.N;
+        server.safety.max_torque_Nm = limits.settings.Nm;
+        Held held({}, server, {.max_force_N = limits.program.N, .max_torque_Nm = limits.program.Nm},
+                  traits);
+        if (limits.run.N > 0.0) {
+            held.pair.device.tell_limits(
+                {.max_force_N = limits.run.N, .max_torque_Nm = limits.run.Nm});
         }
         REQUIRE(held.pair.link());
         held.run(200);
         held.wrench = {Vector3(9.0, 0.0, 0.0), Vector3(0.0, 0.9, 0.0)};
         held.run(6000);
-        CHECK(held.felt_N() == Approx(limits.felt_N).epsilon(1e-9));
-        CHECK(held.hand.written_D.torque.y() == Approx(limits.felt_Nm).epsilon(1e-9));
+        CHECK(held.felt_N() == Approx(limits.felt.N).epsilon(1e-9));
+        CHECK(held.hand.written_D.torque.y() == Approx(limits.felt.Nm).epsilon(1e-9));
     }
 }
 
@@ -346,14 +321,9 @@ TEST_CASE("link: a command counts from the holder's session to this one alone") 
     // Another program that has heard the arm's number; the holder, in an earlier session of the arm's; nobody in particular.
     std::uint64_t strangers = held.refused(Refusal::stranger);
     for (const Wrong& wrong : {Wrong{4242, 2000}, Wrong{1000, 1999}, Wrong{1000, 0}}) {
-        LinkPacket packet;
-        packet.head = {PacketKind::command,
-                       wrong.sender,
-                       wrong.receiver,
-                       1'000'000,
-                       LinkPost::to_ns(held.pair.now_s),
-                       0,
-                       0};
+        LinkPacket packet =
+            test_link::make_numbered(PacketKind::command, {wrong.sender, wrong.receiver, 1'000'000},
+                                     LinkPost::to_ns(held.pair.now_s));
         packet.command.wrench_D.force.x() = -3.0;
         packet.command.max_force_N = 10.0;
         packet.command.max_slew_N_per_s = 500.0;

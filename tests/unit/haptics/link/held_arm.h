@@ -17,11 +17,17 @@ inline void send_packet(Datagrams& line, const Seal& seal, const LinkPacket& pac
     const std::size_t size = write_packet(packet, seal, bytes);
     line.send(now_s, {}, std::span(bytes).first(size));
 }
+struct Numbers {
+    std::uint64_t sender, receiver, sequence;
+};
+inline LinkPacket make_numbered(PacketKind kind, const Numbers& numbers, std::int64_t sent_ns = 1) {
+    LinkPacket packet;
+    packet.head = {kind, numbers.sender, numbers.receiver, numbers.sequence, sent_ns, 0, 0};
+    return packet;
+}
 // The hello of a program that nobody knows.
 inline LinkPacket make_hello(std::uint64_t sender = 5, std::int64_t sent_ns = 1) {
-    LinkPacket hello;
-    hello.head = {PacketKind::hello, sender, 0, 1, sent_ns, 0, 0};
-    return hello;
+    return make_numbered(PacketKind::hello, {sender, 0, 1}, sent_ns);
 }
 
 // A program that asks for `wrench` in every round, after a soft start.

@@ -49,12 +49,8 @@ struct Unpaid {
         sequence = held.pair.device.status().counts.sent;
     }
     void send(PacketKind kind, const Wrench& wrench_D) {
-        LinkPacket packet;
-        packet.head.kind = kind;
-        packet.head.sender = sender;
-        packet.head.receiver = receiver;
-        packet.head.sequence = ++sequence;
-        packet.head.sent_ns = LinkPost::to_ns(held.pair.now_s + kStep_s);
+        LinkPacket packet = test_link::make_numbered(kind, {sender, receiver, ++sequence},
+                                                     LinkPost::to_ns(held.pair.now_s + kStep_s));
         packet.command.wrench_D = wrench_D;
         packet.command.max_force_N = 10.0;
         packet.command.max_torque_Nm = 1.0;
@@ -237,18 +233,17 @@ TEST_CASE("link energy: slow presses give no more than is lent, and the same tri
 // What the arm gives to a hand while nobody has put it in, by commands made by hand: their sums of energy stay zero.
 
 TEST_CASE("link: force and torque that nobody has paid for are left out along the way") {
+    const Vector3 x = Vector3::UnitX();
+    const Vector3 none = Vector3::Zero();
     for (const bool turns : {false, true}) {
         CAPTURE(turns);
         Unpaid arm;
-        const Vector3 x = Vector3::UnitX();
-        const Wrench wanted =
-            turns ? Wrench{Vector3::Zero(), kTorque_Nm * x} : Wrench{kForce_N * x, Vector3::Zero()};
-        Wrench asked{Vector3::Zero(), Vector3::Zero()};
-        (turns ? asked.torque : asked.force) = turns ? wanted.torque : wanted.force;
-        const Vector3 way = turns ? Vector3(Vector3::Zero()) : Vector3(kSlow_m * x);
-        const Vector3 turn = turns ? Vector3(kSlow_rad * x) : Vector3(Vector3::Zero());
-        arm.run(10, {}, Vector3::Zero(), Vector3::Zero());
-        arm.run(500, asked, way, turn);
+        arm.run(10, {}, none, none);
+        if (turns) {
+            arm.run(500, {none, kTorque_Nm * x}, none, kSlow_rad * x);
+        } else {
+            arm.run(500, {kForce_N * x, none}, kSlow_m * x, none);
+        }
         // Without the balance 30 mJ or 50 mJ. Headroom and what is borne are 1.5 mJ.
         CHECK(arm.given_J > 0.0);
         CHECK(arm.given_J < 2.5e-3);
@@ -266,9 +261,7 @@ TEST_CASE("link: nor is it where an encoder or every second round shows the hand
                              Seen{0.02, encoder_m, 1, false}, Seen{0.1, encoder_m, 1, false},
                              Seen{0.1, 1.0e-6, 2, false}, Seen{0.02, encoder_m, 2, false},
                              Seen{0.2, 1.5e-3, 1, true}, Seen{1.0, 1.5e-3, 2, true}}) {
-        CAPTURE(seen.speed);
-        CAPTURE(seen.every);
-        CAPTURE(seen.turns);
+        CAPTURE(seen.speed, seen.every, seen.turns);
         Unpaid arm;
         Wrench asked{Vector3::Zero(), Vector3::Zero()};
         (seen.turns ? asked.torque : asked.force).x() = seen.turns ? kTorque_Nm : kForce_N;

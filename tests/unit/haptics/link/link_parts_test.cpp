@@ -135,9 +135,8 @@ TEST_CASE("link: nothing forged, flipped or replayed is taken, and no good one r
             case 1:  // as it was
                 break;
             case 2: {  // all new, sealed with another key, numbered far ahead
-                LinkPacket forged;
-                forged.head = {
-                    PacketKind::command, 1000, 2000, 1'000'000'000 + random() % 1000, 1, 0, 0};
+                LinkPacket forged = test_link::make_numbered(
+                    PacketKind::command, {1000, 2000, 1'000'000'000 + random() % 1000});
                 forged.command.wrench_D.force = {-10.0, 0.0, 0.0};
                 forged.command.max_force_N = 10.0;
                 forged.command.max_slew_N_per_s = 500.0;
@@ -197,13 +196,8 @@ TEST_CASE("link: packets of an earlier session are a stranger's in the next") {
 
 TEST_CASE("link: what an arm says, sent back to it, is refused") {
     Engaged held;
-    // The arm's own packets come back to it, as from a mirror.
-    LinkPacket state;
-    state.head = {PacketKind::state, 1000, 2000, 1'000'000, 1, 0, 0};
-    PacketBytes bytes{};
-    const std::size_t size = write_packet(state, held.pair.seal, bytes);
     const auto before = held.refused(Refusal::stranger);
-    held.pair.channel.end(0).send(0.0, {}, std::span(bytes).first(size));
+    held.send(test_link::make_numbered(PacketKind::state, {1000, 2000, 1'000'000}));
     held.run(1);
     CHECK(held.refused(Refusal::stranger) == before + 1);
     CHECK(held.arm().held);
