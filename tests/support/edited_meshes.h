@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/geometry/triangle_mesh.h"
+#include "tests/support/join_meshes.h"
 
 #include <utility>
 #include <vector>
@@ -11,26 +12,30 @@ namespace fulcrum::test {
 /// Nothing welded: corners stay as they are.
 inline constexpr MeshBuildSettings kAsItIs{.weld_relative = 0.0, .crack_relative = 0.0};
 
-inline TriangleMesh shift(const TriangleMesh& mesh, const Vector3& way) {
+/// Each corner where `move` takes it.
+template <class Move>
+TriangleMesh move_corners(const TriangleMesh& mesh, Move move,
+                          const MeshBuildSettings& settings = {}) {
     std::vector<Vector3> vertices = mesh.vertices_B();
     for (Vector3& vertex : vertices) {
-        vertex += way;
+        vertex = move(vertex);
     }
-    return TriangleMesh::build(std::move(vertices), mesh.triangles(), kAsItIs).value();
+    return TriangleMesh::build(std::move(vertices), mesh.triangles(), settings).value();
+}
+
+inline TriangleMesh shift(const TriangleMesh& mesh, const Vector3& way,
+                          const MeshBuildSettings& settings = kAsItIs) {
+    return move_corners(
+        mesh, [&](const Vector3& v) { return Vector3(v + way); }, settings);
 }
 
 /// All surfaces in one mesh.
 inline TriangleMesh join_meshes(const std::vector<TriangleMesh>& parts) {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
+    std::vector<std::pair<TriangleMesh, Pose>> placed;
     for (const TriangleMesh& part : parts) {
-        const auto first = static_cast<std::int32_t>(vertices.size());
-        vertices.insert(vertices.end(), part.vertices_B().begin(), part.vertices_B().end());
-        for (const TriangleCorners& t : part.triangles()) {
-            triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        }
+        placed.emplace_back(part, Pose{});
     }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles), kAsItIs).value();
+    return fulcrum::join_meshes(placed, kAsItIs).value();
 }
 
 /// Only its first triangles, or, where the number is below 0, all but so many of the last.

@@ -1,7 +1,7 @@
 // Closed meshes that are not convex, made by rule, and two meshes in one.
 #pragma once
 
-#include "haptics/geometry/triangle_mesh.h"
+#include "tests/support/join_meshes.h"
 
 #include <array>
 #include <cmath>
@@ -78,16 +78,7 @@ inline Expected<TriangleMesh> make_bowl(double outer_m, double inner_m, int n_ro
 /// Both surfaces in one mesh, the second moved, nothing welded.
 inline Expected<TriangleMesh> make_both(const TriangleMesh& one, const TriangleMesh& other,
                                         const Vector3& by) {
-    std::vector<Vector3> vertices = one.vertices_B();
-    std::vector<TriangleCorners> triangles = one.triangles();
-    const auto first = static_cast<std::int32_t>(vertices.size());
-    for (const Vector3& vertex : other.vertices_B()) {
-        vertices.emplace_back(vertex + by);
-    }
-    for (const TriangleCorners& t : other.triangles()) {
-        triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles), {.weld_relative = 0.0});
+    return join_meshes({{one, {}}, {other, Pose::at(by)}}, {.weld_relative = 0.0});
 }
 
 }  // namespace fulcrum

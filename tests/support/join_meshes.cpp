@@ -21,7 +21,8 @@ std::vector<Vector2> make_slivered_square(double half_m) {
     return corners;
 }
 
-Expected<TriangleMesh> join_meshes(const std::vector<std::pair<TriangleMesh, Pose>>& parts) {
+Expected<TriangleMesh> join_meshes(const std::vector<std::pair<TriangleMesh, Pose>>& parts,
+                                   const MeshBuildSettings& settings) {
     std::vector<Vector3> corners;
     std::vector<TriangleCorners> triangles;
     for (const auto& [mesh, pose] : parts) {
@@ -33,7 +34,7 @@ Expected<TriangleMesh> join_meshes(const std::vector<std::pair<TriangleMesh, Pos
             triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
         }
     }
-    return TriangleMesh::build(std::move(corners), std::move(triangles));
+    return TriangleMesh::build(std::move(corners), std::move(triangles), settings);
 }
 
 }  // namespace fulcrum

@@ -13,6 +13,7 @@ namespace fulcrum {
 
 /// Parts told as one mesh, each at its pose; where they cross nothing is cut.
 [[nodiscard]] Expected<TriangleMesh> join_meshes(
-    const std::vector<std::pair<TriangleMesh, Pose>>& parts);
+    const std::vector<std::pair<TriangleMesh, Pose>>& parts,
+    const MeshBuildSettings& settings = {});
 
 }  // namespace fulcrum

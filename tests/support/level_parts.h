@@ -15,7 +15,7 @@ using Levels = std::shared_ptr<const ContactLevels>;
 /// Slack of pieces, a ten-millionth of the size, of bodies of a decimetre.
 inline constexpr double kRounding_m = 2.0e-7;
 
-inline Levels make_levels(const TriangleMesh& mesh, double within_m) {
+inline Levels make_levels(const TriangleMesh& mesh, double within_m = 1.0e-3) {
     return ContactLevels::create(mesh, {.within_m = within_m}).value();
 }
 

@@ -4,6 +4,7 @@
 
 #include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/god_scene.h"
 
 #include <algorithm>
@@ -78,12 +79,8 @@ class PegTrial {
   private:
     // make_cylinder stands along y; the hole goes along z.
     static TriangleMesh make_peg() {
-        const TriangleMesh upright = make_cylinder(kRadius_m, kLength_m, 72).value();
-        std::vector<Vector3> vertices = upright.vertices_B();
-        for (Vector3& v : vertices) {
-            v = Vector3(v.x(), -v.z(), v.y());
-        }
-        return TriangleMesh::build(std::move(vertices), upright.triangles()).value();
+        return move_corners(make_cylinder(kRadius_m, kLength_m, 72).value(),
+                            [](const Vector3& v) { return Vector3(v.x(), -v.z(), v.y()); });
     }
     static Inertia make_inertia() {
         const double across =

@@ -1,15 +1,15 @@
 #include "haptics/constraint/complementarity.h"
 #include "haptics/constraint/contact_problem.h"
 #include "haptics/constraint/set_solver.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/contact_stack.h"
-#include "tests/support/refusals.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <rapidcheck.h>
 #include <vector>
 
@@ -75,7 +75,6 @@ TEST_CASE("set solver: a cube that lands and slides obeys Coulomb's law, by both
     }
 }
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kExact = 1.0e-15;
 
 // What add_body takes.
@@ -208,49 +207,48 @@ TEST_CASE("contact problem: a full one drops and counts") {
 
 TEST_CASE("contact problem: what is no body, joins no two bodies or has no numbers is refused") {
     ContactProblem problem({2, 8, 8});
-    check_refused_by(
-        [&](const Body& body) {
-            return problem.add_body(body.mass_kg, body.inertia, body.velocity) != kGround;
-        },
-        Body{},
-        {{&Body::mass_kg, 0.0},
-         {&Body::mass_kg, -1.0},
-         {&Body::mass_kg, kNone},
-         {&Body::mass_kg, 1.0e-310},
-         [](Body& body) { body.inertia.setZero(); },
-         [](Body& body) { body.inertia *= kNone; },
-         // Two moments below zero: the determinant is above it.
-         [](Body& body) { body.inertia = Vector3(-1.0, -1.0, 1.0).asDiagonal(); },
-         [](Body& body) { body.inertia = Vector3(1.0, -1.0, -1.0).asDiagonal(); },
-         [](Body& body) { body.inertia(0, 1) = 0.5; },
-         [](Body& body) { body.velocity.setConstant(kNone); }});
+    check_refused(Body{},
+                  [&](const Body& body) {
+                      return problem.add_body(body.mass_kg, body.inertia, body.velocity) != kGround;
+                  },
+                  {{&Body::mass_kg, 0.0},
+                   {&Body::mass_kg, -1.0},
+                   {&Body::mass_kg, kNan},
+                   {&Body::mass_kg, 1.0e-310},
+                   [](Body& body) { body.inertia.setZero(); },
+                   [](Body& body) { body.inertia *= kNan; },
+                   // Two moments below zero: the determinant is above it.
+                   [](Body& body) { body.inertia = Vector3(-1.0, -1.0, 1.0).asDiagonal(); },
+                   [](Body& body) { body.inertia = Vector3(1.0, -1.0, -1.0).asDiagonal(); },
+                   [](Body& body) { body.inertia(0, 1) = 0.5; },
+                   [](Body& body) { body.velocity.setConstant(kNan); }});
     CHECK(problem.bodies().size() == 1);
     CHECK(problem.n_dropped() == 10);
     using C = ContactConstraint;
-    check_refused_by([&](const C& contact) { return problem.add_contact(contact); }, on_ground(),
-                     {{&C::body_b, kGround},
-                      {&C::body_b, 1},
-                      {&C::body_a, -2},
-                      {&C::static_friction, -0.1},
-                      {&C::dynamic_friction, kNone},
-                      {&C::softness_per_kg, -1.0},
-                      [](C& contact) { contact.arm_b.x() = kNone; },
-                      [](C& contact) { contact.axes_W(1, 1) = kNone; },
-                      [](C& contact) { contact.target_m_per_s.z() = HUGE_VAL; },
-                      // Weights beyond numbers.
-                      [](C& contact) { contact.arm_b.setConstant(1.0e200); }});
+    check_refused(on_ground(), [&](const C& contact) { return problem.add_contact(contact); },
+                  {{&C::body_b, kGround},
+                   {&C::body_b, 1},
+                   {&C::body_a, -2},
+                   {&C::static_friction, -0.1},
+                   {&C::dynamic_friction, kNan},
+                   {&C::softness_per_kg, -1.0},
+                   [](C& contact) { contact.arm_b.x() = kNan; },
+                   [](C& contact) { contact.axes_W(1, 1) = kNan; },
+                   [](C& contact) { contact.target_m_per_s.z() = HUGE_VAL; },
+                   // Weights beyond numbers.
+                   [](C& contact) { contact.arm_b.setConstant(1.0e200); }});
     CHECK(problem.contacts()[0].weight_per_kg == 3.0);
     using R = RowConstraint;
     RowConstraint sound;
     sound.body_b = 0;
-    check_refused_by([&](const R& row) { return problem.add_row(row); }, sound,
-                     {{&R::least, 1.0},
-                      {&R::target, kNone},
-                      {&R::softness, kNone},
-                      [](R& row) { row.least = row.most = HUGE_VAL; },
-                      [](R& row) { row.jacobian_b.setConstant(kNone); },
-                      [](R& row) { row.jacobian_b.setConstant(1.0e200); },
-                      [](R& row) { row.jacobian_b.setConstant(1.0e-160); }});
+    check_refused(sound, [&](const R& row) { return problem.add_row(row); },
+                  {{&R::least, 1.0},
+                   {&R::target, kNan},
+                   {&R::softness, kNan},
+                   [](R& row) { row.least = row.most = HUGE_VAL; },
+                   [](R& row) { row.jacobian_b.setConstant(kNan); },
+                   [](R& row) { row.jacobian_b.setConstant(1.0e200); },
+                   [](R& row) { row.jacobian_b.setConstant(1.0e-160); }});
     CHECK(problem.n_dropped() == 27);
 }
 
@@ -258,7 +256,7 @@ TEST_CASE("contact problem: what was remembered and is no number is forgotten") 
     ContactProblem problem({1, 1, 1});
     problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
     ContactConstraint contact = on_ground();
-    contact.impulse_Ns.setConstant(kNone);
+    contact.impulse_Ns.setConstant(kNan);
     contact.static_friction = 0.2;
     contact.dynamic_friction = 0.7;
     CHECK(problem.add_contact(contact));
@@ -266,7 +264,7 @@ TEST_CASE("contact problem: what was remembered and is no number is forgotten") 
     CHECK(problem.contacts()[0].dynamic_friction == 0.2);
     RowConstraint row;
     row.body_b = 0;
-    row.impulse = kNone;
+    row.impulse = kNan;
     CHECK(problem.add_row(row));
     CHECK(problem.rows()[0].impulse == 0.0);
 }
@@ -336,11 +334,11 @@ TEST_CASE("complementarity: impulses keep the momentum of bodies that touch only
 TEST_CASE("complementarity: what is no number does not read as an answer, wherever it stands") {
     CHECK(take_worse(1.0, 2.0) == 2.0);
     CHECK(take_worse(2.0, 1.0) == 2.0);
-    CHECK(std::isnan(take_worse(kNone, 1.0)));
-    CHECK(std::isnan(take_worse(1.0, kNone)));
+    CHECK(std::isnan(take_worse(kNan, 1.0)));
+    CHECK(std::isnan(take_worse(1.0, kNan)));
     for (int k = 0; k < 3; ++k) {
         Vector3 y = Vector3::Zero();
-        y[k] = kNone;
+        y[k] = kNan;
         CHECK(
             std::isnan(compute_residual(FrictionShape::cone, 0.5, 2.0, y, Vector3(1.0, 0.0, 0.0))));
     }
@@ -351,7 +349,7 @@ TEST_CASE("complementarity: what is no number does not read as an answer, wherev
         for (int i = 0; i < 2; ++i) {
             problem.add_contact(on_ground());
         }
-        problem.contacts()[bad].impulse_Ns.setConstant(kNone);
+        problem.contacts()[bad].impulse_Ns.setConstant(kNan);
         const std::array<double, 2> friction{0.5, 0.5};
         CHECK_FALSE(compute_residual(problem, FrictionShape::cone, friction) <= 1.0);
     }
@@ -360,7 +358,7 @@ TEST_CASE("complementarity: the ground stands in the next problem, whatever was 
     ContactProblem problem({1, 0, 0});
     problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
     BodyMotion motion(1);
-    motion.velocity(kGround).setConstant(kNone);
+    motion.velocity(kGround).setConstant(kNan);
     apply_impulses(problem, motion);
     CHECK(motion.velocity(kGround) == Vector6(Vector6::Zero()));
 }

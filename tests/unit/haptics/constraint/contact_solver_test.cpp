@@ -2,7 +2,7 @@
 
 #include "tests/support/contact_scenes.h"
 #include "tests/support/contact_stack.h"
-#include "tests/support/refusals.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 

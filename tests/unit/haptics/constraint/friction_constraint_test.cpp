@@ -1,11 +1,11 @@
 #include "haptics/constraint/friction_constraint.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/constraint/held_tool.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace fulcrum {
@@ -329,19 +329,18 @@ TEST_CASE("friction constraint: asked again it answers the same, whatever it was
 }
 
 TEST_CASE("friction constraint: what is no number, or has no room, is refused") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     FrictionConstraintSolver solver(1);
     CHECK_FALSE(solver.set_inertia(0.0, bar_inertia()));
     CHECK_FALSE(solver.set_inertia(kMass_kg, -bar_inertia()));
     REQUIRE(solver.set_inertia(kMass_kg, bar_inertia()));
-    CHECK_FALSE(solver.add({nan, 0.0, 0.0}, kUp, 0.0, 0.5));
-    CHECK_FALSE(solver.add(Vector3::Zero(), kUp, nan, 0.5));
+    CHECK_FALSE(solver.add({kNan, 0.0, 0.0}, kUp, 0.0, 0.5));
+    CHECK_FALSE(solver.add(Vector3::Zero(), kUp, kNan, 0.5));
     CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, -0.5));
-    CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, nan));
-    CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, std::numeric_limits<double>::infinity()));
+    CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, kNan));
+    CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, kInfinity));
     CHECK(solver.add(Vector3::Zero(), kUp, 0.0, 0.5));
     CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, 0.5));
-    const LeastConstraint& answer = solver.solve(six({nan, 0.0, 0.0}));
+    const LeastConstraint& answer = solver.solve(six({kNan, 0.0, 0.0}));
     CHECK_FALSE(answer.exact);
     CHECK(answer.acceleration == Vector6::Zero());
     CHECK(solver.solve(Vector6::Zero()).exact);

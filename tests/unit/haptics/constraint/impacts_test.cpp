@@ -1,5 +1,6 @@
 #include "haptics/constraint/even_pressure.h"
 #include "haptics/constraint/impact.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/wander.h"
 
@@ -7,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -195,18 +195,17 @@ TEST_CASE("even pressure: a contact twice as stiff bears twice as much, one of w
 }
 
 TEST_CASE("even pressure: what cannot be borne, nothing and no number") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     EvenPressure pressure(2, 0.05);
     CHECK_FALSE(pressure.solve(push_at(0.0, 0.0, 1.0)));
-    CHECK_FALSE(pressure.add(Vector3(nan, 0.0, 0.0), Vector3::UnitY(), 1.0));
-    CHECK_FALSE(pressure.add(Vector3::Zero(), Vector3::UnitY(), nan));
+    CHECK_FALSE(pressure.add(Vector3(kNan, 0.0, 0.0), Vector3::UnitY(), 1.0));
+    CHECK_FALSE(pressure.add(Vector3::Zero(), Vector3::UnitY(), kNan));
     CHECK_FALSE(pressure.add(Vector3::Zero(), Vector3::UnitY(), -1.0));
     CHECK(pressure.size() == 0);
     REQUIRE(pressure.add(Vector3(0.0, -0.02, 0.0), Vector3::UnitY(), 1.0));
     REQUIRE(pressure.add(Vector3(0.01, -0.02, 0.0), Vector3::UnitY(), 1.0));
     CHECK_FALSE(pressure.add(Vector3::Zero(), Vector3::UnitY(), 1.0));
     CHECK_FALSE(pressure.solve(Vector6::Zero()));
-    CHECK_FALSE(pressure.solve(Vector6::Constant(nan)));
+    CHECK_FALSE(pressure.solve(Vector6::Constant(kNan)));
     CHECK(pressure.force_N(0) == 0.0);
     // A pull: nobody pulls.
     (void)pressure.solve(push_at(0.0, 0.0, -1.0));

@@ -2,18 +2,16 @@
 #include "haptics/coupling/tool_coupling.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/coupling/virtual_coupling.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <rapidcheck.h>
 
 using namespace fulcrum;
-using test::check_ranges;
-using test::check_refused;
 
 namespace {
 
@@ -110,7 +108,6 @@ TEST_CASE("virtual coupling settings: ranges, and a blend that does not fall") {
 }
 
 TEST_CASE("tool coupling settings: ranges, no torque that falls, and a clamp or saturation") {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     check_ranges(ToolCouplingSettings{},
                  {{"damping_Nms_per_rad.x",
                    [](auto& s) -> double& { return s.turn.damping_Nms_per_rad.x(); }, 0.0, 100.0},
@@ -132,8 +129,8 @@ TEST_CASE("tool coupling settings: ranges, no torque that falls, and a clamp or 
                                    s.turn = {0.5, Vector3::Zero(), 1.0, 0.5, 0.6};
                                },
                                [](auto& s) { s.turn.saturation_torque_Nm = 0.19; },
-                               [](auto& s) { s.turn.saturation_range_rad = kInfinite; },
-                               [](auto& s) { s.turn.saturation_torque_Nm = kInfinite; },
+                               [](auto& s) { s.turn.saturation_range_rad = kInfinity; },
+                               [](auto& s) { s.turn.saturation_torque_Nm = kInfinity; },
                                [](auto& s) { s.turn.linear_range_rad = -0.1; },
                                [](auto& s) { s.clamp_rad = 0.05; }});
     ToolCouplingSettings clamped;

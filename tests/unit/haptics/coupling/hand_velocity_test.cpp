@@ -1,11 +1,11 @@
 #include "haptics/coupling/kalman_velocity.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 
@@ -346,10 +346,9 @@ TEST_CASE("velocity: bad samples change nothing, a constant turn is found in clo
             (void)estimator.step(Vector3(0.001 * k, 0, 0), k * kDt_s);
         }
         const Vector3 before = estimator.velocity();
-        const double nan = std::numeric_limits<double>::quiet_NaN();
-        CHECK(estimator.step(Vector3(nan, 0, 0), 0.010) == before);
+        CHECK(estimator.step(Vector3(kNan, 0, 0), 0.010) == before);
         CHECK(estimator.step(Vector3(9, 0, 0), 0.009) == before);
-        CHECK(estimator.step(Vector3(9, 0, 0), nan) == before);
+        CHECK(estimator.step(Vector3(9, 0, 0), kNan) == before);
         estimator.reset();
         CHECK(estimator.velocity().norm() == 0.0);
         CHECK(estimator.step(Vector3(5, 0, 0), 0.0).norm() == 0.0);
@@ -382,12 +381,11 @@ TEST_CASE("velocity: of turns too, bad samples change nothing") {
         (void)estimator.step(compute_exp(Vector3(0.002 * k, 0, 0)), k * kDt_s);
     }
     const Vector3 before = estimator.velocity();
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const Quaternion other = compute_exp(Vector3(0, 1, 0));
     CHECK(estimator.step(other, 0.099) == before);
     CHECK(estimator.step(other, 0.05) == before);
-    CHECK(estimator.step(other, nan) == before);
-    CHECK(estimator.step(Quaternion(nan, 0, 0, 0), 0.1) == before);
+    CHECK(estimator.step(other, kNan) == before);
+    CHECK(estimator.step(Quaternion(kNan, 0, 0, 0), 0.1) == before);
     // None of them was kept.
     const Vector3 after = estimator.step(compute_exp(Vector3(0.2, 0, 0)), 0.1);
     CHECK((after - Vector3(2, 0, 0)).norm() < 1e-6);

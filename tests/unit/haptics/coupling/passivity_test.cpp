@@ -1,12 +1,12 @@
 #include "haptics/coupling/passivity.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <rapidcheck.h>
 
 using namespace fulcrum;
@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kDt_s = 0.001;
 constexpr double kRounding_J = 1e-15;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Nothing is forgotten, to speak of.
 PassivitySettings make_settings(double headroom_J = 0.0) {
@@ -318,14 +317,14 @@ TEST_CASE("passivity: what is not a number begins anew and leaves no trace") {
         CHECK(std::isfinite(port.controller.energy().peak_J));
         CHECK(std::isfinite(port.controller.energy().braked_J));
     };
-    for (const double bad : {kNan, std::numeric_limits<double>::infinity(), -1e300, 1e300}) {
+    for (const double bad : {kNan, kInfinity, -1e300, 1e300}) {
         spoil([&](PortRound& round) { round.motion.y() = bad; });
         spoil([&](PortRound& round) { round.asked.x() = bad; });
         spoil([&](PortRound& round) { round.elastic.now_W.z() = bad; });
         spoil([&](PortRound& round) { round.elastic.held_W.x() = bad; });
         spoil([&](PortRound& round) { round.kink_J = bad; });
     }
-    for (const double bad : {kNan, 0.0, -0.001, std::numeric_limits<double>::infinity()}) {
+    for (const double bad : {kNan, 0.0, -0.001, kInfinity}) {
         spoil([&](PortRound& round) { round.dt_s = bad; });
     }
 }

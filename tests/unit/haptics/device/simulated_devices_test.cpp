@@ -2,20 +2,18 @@
 // input leads to the same bits. Their own laws stand in the tests of their names.
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/device/simulated/simulated_hand.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/device/arm/wam_bench.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
 using namespace fulcrum;
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDt_s = 0.001;
 constexpr double kRounding = 1e-9;
 

@@ -1,11 +1,11 @@
 #include "haptics/dynamics/axle.h"
 
-#include "tests/support/refusals.h"
+#include "tests/support/bad_numbers.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 using namespace fulcrum;
@@ -168,15 +168,14 @@ TEST_CASE("axle: it stops at the end of its range, and turns about its pivot, no
 }
 
 TEST_CASE("axle: what is no time and no torque moves nothing") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const double dt_s : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
+    for (const double dt_s : {0.0, -1.0, kNan, kInfinity}) {
         AxleState state{0.1, 2.0};
         step_axle(make_wheel(), 1.0, dt_s, state);
         CHECK(state.angle_rad == 0.1);
         CHECK(state.spin_rad_per_s == 2.0);
     }
     AxleState state{0.0, 2.0};
-    step_axle(make_wheel(), nan, 0.5, state);
+    step_axle(make_wheel(), kNan, 0.5, state);
     CHECK(state.angle_rad == Approx(1.0));
 }
 

@@ -4,7 +4,7 @@
 #include "haptics/dynamics/hand_rows.h"
 #include "haptics/dynamics/islands.h"
 #include "haptics/math/rotation.h"
-#include "tests/support/refusals.h"
+#include "tests/support/refused.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -153,9 +153,9 @@ TEST_CASE("joint: a limit asks for the way that is left, a motor for its speed w
 TEST_CASE("joint: what joins nothing, has no axis, no length or drives that are none is refused") {
     Random random(3);
     using P = JointPlan;
-    check_refused_by(
-        [](const P& plan) { return validate(plan, 2, "joint 0").has_value(); },
+    check_refused(
         make_plan(JointKind::hinge, random),
+        [](const P& plan) { return validate(plan, 2, "joint 0").has_value(); },
         {[](P& p) { p.body_b = 2; }, [](P& p) { p.body_b = 0; }, [](P& p) { p.axis_W.setZero(); },
          [](P& p) { p.anchor_W.x() = std::nan(""); }, [](P& p) { p.drive.lower = 0.1; },
          [](P& p) { p.drive.motor_force = -1.0; }, [](P& p) { p.drive.friction = std::nan(""); },

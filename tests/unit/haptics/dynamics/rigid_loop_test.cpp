@@ -1,12 +1,12 @@
 #include "haptics/dynamics/rigid_loop.h"
 
-#include "tests/support/refusals.h"
+#include "tests/support/bad_numbers.h"
+#include "tests/support/refused.h"
 #include "tests/support/rigid_worlds.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -136,12 +136,11 @@ TEST_CASE("rigid loop: what is placed stands where it was put, what is hidden is
 
 TEST_CASE("rigid loop: orders that name no rigid body or no place are passed over") {
     CubesLoop cubes;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const std::int32_t body : {-1, 0, 4, 64, 1000}) {
         cubes.order(WorldCommand::Kind::place, body, {0.0, 3.0, 0.0});
     }
-    cubes.order(WorldCommand::Kind::place, 3, Vector3::Constant(nan));
-    cubes.order(WorldCommand::Kind::drop, 3, Vector3::Zero(), Vector3::Constant(nan));
+    cubes.order(WorldCommand::Kind::place, 3, Vector3::Constant(kNan));
+    cubes.order(WorldCommand::Kind::drop, 3, Vector3::Zero(), Vector3::Constant(kNan));
     cubes.order(WorldCommand::Kind::hold, 3, Vector3::Zero());
     cubes.run(0.1);
     CHECK((cubes.seen(3).pose_W.position - Vector3(0.0, 0.05, 0.0)).norm() < 1.0e-4);
@@ -326,7 +325,7 @@ TEST_CASE("rigid loop: rounds close together push once; a bad clock moves nothin
     const double height_m = cubes.seen(3).pose_W.position.y();
     cubes.loop->step(cubes.now_s);
     cubes.loop->step(cubes.now_s - 1.0);
-    cubes.loop->step(std::numeric_limits<double>::quiet_NaN());
+    cubes.loop->step(kNan);
     CHECK(cubes.seen(3).pose_W.position.y() == height_m);
     cubes.loop->step(cubes.now_s + 1000.0);
     CHECK(cubes.seen(3).pose_W.position.y() > height_m - 9.81 * 0.06 * 0.06);

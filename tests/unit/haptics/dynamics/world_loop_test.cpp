@@ -1,12 +1,12 @@
 #include "haptics/dynamics/world_loop.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/dynamics/world_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 
 using namespace fulcrum;
@@ -61,11 +61,6 @@ TEST_CASE("world loop: commands go in, frames, snapshots and events come out, on
     world.loop.silence(now_s);
     REQUIRE(world.haptics->world.take());
     CHECK(world.haptics->world.value().carried_force_W.norm() == 0.0);
-    // A long pause is no leap: the falling body moves by at most the longest step.
-    world.tell(Kind::drop, 0, {0.5, 5.0, 0.0});
-    world.loop.step(now_s);
-    world.loop.step(now_s + 60.0);
-    CHECK(world.there().bodies[0].pose_W.position.y() > 4.9);
 }
 
 TEST_CASE("world loop: a first round is one period; pauses and times that are none move nothing") {
@@ -87,9 +82,7 @@ TEST_CASE("world loop: a first round is one period; pauses and times that are no
     const Vector3 before_W = other.body().pose_W.position;
     (void)other.haptics->world.take();
     (void)other.channels->snapshot.take();
-    for (const double bad_s :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-          -std::numeric_limits<double>::infinity()}) {
+    for (const double bad_s : {kNan, kInfinity, -kInfinity}) {
         other.loop.step(bad_s);
         CHECK_FALSE(other.haptics->world.take());
         CHECK_FALSE(other.channels->snapshot.take());

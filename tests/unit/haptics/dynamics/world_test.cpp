@@ -1,12 +1,12 @@
 #include "haptics/dynamics/world.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/dynamics/world_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -179,33 +179,32 @@ TEST_CASE("world: a frame tells which solids were put elsewhere, and not which m
 }
 
 TEST_CASE("world: bad commands and steps are ignored, the commands counted") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     ToldWorld world;
     world.drop(-1);
     world.drop(3);
     world.hold(1000000);
-    world.drop(1, {nan, 0, 0});
-    world.drop(1, Vector3::Zero(), Vector3(0, std::numeric_limits<double>::infinity(), 0));
+    world.drop(1, {kNan, 0, 0});
+    world.drop(1, Vector3::Zero(), Vector3(0, kInfinity, 0));
     world.tell(Kind::place, 1, {0, 1e9, 0});
     world.tell(static_cast<Kind>(77), 1);
     CHECK(world.ignored_commands() == 7);
     CHECK(world.is_at_rest());
     world.drop(1, {0.0, 1.0, 0.0});
     const Vector3 before = world.at_W();
-    world.step(nan, HapticState{});
+    world.step(kNan, HapticState{});
     world.step(-1.0, HapticState{});
     world.step(0.0, HapticState{});
     CHECK(world.at_W() == before);
     // A tool that is nowhere catches nothing and leaves the bodies finite.
     for (int k = 0; k < 1000; ++k) {
-        world.run(tool_at({nan, nan, nan}));
+        world.run(tool_at({kNan, kNan, kNan}));
         REQUIRE(is_finite(world.body().pose_W));
     }
     CHECK(world.body().where == BodyWhere::landed);
     // Held bodies stay where the tool last was.
     world.run(tool_at({0.0, 1.0, 0.0}));
     world.hold(2);
-    world.run(tool_at({nan, 0.0, 0.0}));
+    world.run(tool_at({kNan, 0.0, 0.0}));
     CHECK(world.at_W(2).y() == Approx(1.0 - 0.12 + 0.04));
 }
 

@@ -1,10 +1,10 @@
 #include "haptics/field/linearised_wrench.h"
 #include "haptics/field/weight.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -151,13 +151,11 @@ TEST_CASE("weight: begun again midway it leaves the span by 7 % at most; bad inp
     for (int k = 0; k < 100; ++k) {
         (void)ramp.step(Vector3(0, -4, 0), kDt_s);
     }
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const Vector3 before = ramp.force_W();
-    CHECK(ramp.step(Vector3(0, -4, 0), nan) == before);
+    CHECK(ramp.step(Vector3(0, -4, 0), kNan) == before);
     CHECK(ramp.step(Vector3(0, -4, 0), -1.0) == before);
-    const double inf = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 400; ++k) {
-        (void)ramp.step(k % 2 == 0 ? Vector3(nan, 0, 0) : Vector3(0, inf, 0), kDt_s);
+        (void)ramp.step(k % 2 == 0 ? Vector3(kNan, 0, 0) : Vector3(0, kInfinity, 0), kDt_s);
     }
     CHECK(ramp.force_W() == Vector3(0, -4, 0));
     // An onset of nothing is still an onset.

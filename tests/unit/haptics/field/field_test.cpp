@@ -2,12 +2,12 @@
 
 #include "haptics/field/magnet.h"
 #include "haptics/field/viscosity.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <rapidcheck.h>
 
 using namespace fulcrum;
@@ -17,8 +17,6 @@ namespace {
 
 constexpr double kDt_s = 0.001;
 constexpr double kRounding = 1e-12;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 FieldPlan make_spring() {
     FieldPlan plan;

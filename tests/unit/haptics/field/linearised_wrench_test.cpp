@@ -1,12 +1,12 @@
 #include "haptics/field/linearised_wrench.h"
 
+#include "tests/support/bad_numbers.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 using namespace fulcrum;
@@ -149,7 +149,6 @@ TEST_CASE("linearised wrench: an answer past its time fades in a straight line t
 }
 
 TEST_CASE("linearised wrench: what is not finite is refused, and the former answer goes on") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<void (*)(LinearisedWrench&, double)> spoil = {
         [](LinearisedWrench& m, double bad) { m.force_W(0) = bad; },
         [](LinearisedWrench& m, double bad) { m.torque_W(2) = bad; },
@@ -159,7 +158,7 @@ TEST_CASE("linearised wrench: what is not finite is refused, and the former answ
         [](LinearisedWrench& m, double bad) { m.damping_Ns_per_m(2, 2) = bad; },
         [](LinearisedWrench& m, double bad) { m.torque_stiffness_Nm_per_m(1, 0) = bad; }};
     for (const auto& entry : spoil) {
-        for (const double value : {nan, std::numeric_limits<double>::infinity(), -1e300, 1e6}) {
+        for (const double value : {kNan, kInfinity, -1e300, 1e6}) {
             LinearisedWrenchStage stage{LinearisedWrenchSettings{}};
             const LinearisedWrench good = make_model(0.0);
             for (int k = 0; k < 95; ++k) {
@@ -292,9 +291,7 @@ TEST_CASE("linearised wrench: what was asked for beyond the limits has not to be
 }
 
 TEST_CASE("linearised wrench: an answer from the future waits for its time and keeps none out") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double inf = std::numeric_limits<double>::infinity();
-    for (const double stamp_s : {60.0, 0.0011, inf, nan, -inf}) {
+    for (const double stamp_s : {60.0, 0.0011, kInfinity, kNan, -kInfinity}) {
         LinearisedWrenchStage stage{LinearisedWrenchSettings{}};
         LinearisedWrench model;
         model.force_W = Vector3(0.5, 0, 0);

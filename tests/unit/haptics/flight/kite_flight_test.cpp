@@ -1,13 +1,13 @@
 #include "haptics/flight/kite_flight.h"
 
 #include "haptics/dynamics/rigid_body.h"
-#include "tests/support/refusals.h"
+#include "tests/support/bad_numbers.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 using namespace fulcrum;
@@ -265,7 +265,7 @@ TEST_CASE("kite flight: more wind pulls harder, more line goes higher, twice the
     fly(flight, 30.0);
     CHECK(flight.report().centre_W.y() > height_m + 5.0);
     CHECK(flight.report().line_m == Approx(29.9));
-    flight.set_wind_speed_m_per_s(std::numeric_limits<double>::quiet_NaN());
+    flight.set_wind_speed_m_per_s(kNan);
     fly(flight, 1.0);
     CHECK(is_finite(flight.report().pose_W));
     KiteFlightSettings settings;
@@ -310,14 +310,13 @@ TEST_CASE("kite flight: the mean wind carries; what is no number or no part is r
     flight = KiteFlight{KiteFlightSettings{}};
     fly(flight, 1.0);
     const Vector3 before_W = flight.report().centre_W;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     flight.step(0.0, kHand_W);
     flight.step(-1.0, kHand_W);
-    flight.step(nan, kHand_W);
-    flight.step(kDt_s, {nan, 0.0, 0.0});
-    flight.launch({nan, 0.0, 0.0}, 0.7, 1.1);
-    flight.launch(kHand_W, nan, 1.1);
-    flight.launch(kHand_W, 0.7, nan);
+    flight.step(kNan, kHand_W);
+    flight.step(kDt_s, {kNan, 0.0, 0.0});
+    flight.launch({kNan, 0.0, 0.0}, 0.7, 1.1);
+    flight.launch(kHand_W, kNan, 1.1);
+    flight.launch(kHand_W, 0.7, kNan);
     CHECK(flight.report().centre_W == before_W);
     using F = KiteFlightSettings;
     check_refused(F{}, {{&F::gravity_m_per_s2, -1.0},

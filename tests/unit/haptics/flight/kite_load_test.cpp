@@ -6,13 +6,13 @@
 #include "haptics/flight/flat_plate.h"
 #include "haptics/math/length.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/differentiated_loads.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -226,8 +226,7 @@ TEST_CASE("flat plate: air only takes energy, alike from behind, and still air n
             CHECK((felt.force + behind.force).norm() < kRounding * felt.force.norm());
         }
     }
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const Vector3& flow : {Vector3(0, 0, 0), Vector3(nan, 0, 1)}) {
+    for (const Vector3& flow : {Vector3(0, 0, 0), Vector3(kNan, 0, 1)}) {
         const PlateForce felt = compute_plate_force(PlateLaw::cross_flow, make_plate(), kAir, flow);
         CHECK(felt.force == Vector3::Zero());
         CHECK(felt.torque == Vector3::Zero());

@@ -2,13 +2,13 @@
 #include "haptics/flight/kite_loop.h"
 
 #include "haptics/flight/kite_swap.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <thread>
 
@@ -119,16 +119,15 @@ TEST_CASE("kite loop: a cut is one, and another kite flies on as much line in th
 }
 
 TEST_CASE("kite loop: a broken clock, hand or order leaves it flying; silence lets go") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     Scene scene;
     scene.hold();
     scene.run(5.0);
-    scene.loop.step(nan);
-    scene.hold({nan, 0.0, 0.0});
+    scene.loop.step(kNan);
+    scene.hold({kNan, 0.0, 0.0});
     scene.orders.n_launches = 7;
-    scene.orders.elevation_rad = nan;
-    scene.orders.line_m = nan;
-    scene.orders.wind_m_per_s = nan;
+    scene.orders.elevation_rad = kNan;
+    scene.orders.line_m = kNan;
+    scene.orders.wind_m_per_s = kNan;
     scene.order();
     scene.run(5.0);
     const KiteReport& report = scene.report();
@@ -192,8 +191,6 @@ TEST_CASE("kite loop: a round a little early or late is one step, and none excee
 }
 
 TEST_CASE("kite loop: no sample of a hand throws the kite, none stays, one far off draws it") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinite = std::numeric_limits<double>::infinity();
     for (const double stretch_N : {500.0, 1.0e5}) {
         KiteFlightSettings settings;
         settings.line.stretch_N = stretch_N;
@@ -210,7 +207,7 @@ TEST_CASE("kite loop: no sample of a hand throws the kite, none stays, one far o
         run(20.0, kHand_W);
         const Vector3 flown_W = scene.report().centre_W;
         for (const Vector3& bad_W :
-             {Vector3(nan, 1.0, 0.0), Vector3(0.0, nan, nan), Vector3(infinite, 0.0, 0.0),
+             {Vector3(kNan, 1.0, 0.0), Vector3(0.0, kNan, kNan), Vector3(kInfinity, 0.0, 0.0),
               Vector3(0.0, -1.0e300, 0.0), Vector3(0.0, 1.0, 2.0e4)}) {
             run(0.002, bad_W);
             CHECK(scene.line().nodes_W().front() == kHand_W);

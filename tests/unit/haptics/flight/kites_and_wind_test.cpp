@@ -1,11 +1,11 @@
 #include "haptics/flight/kite.h"
 #include "haptics/flight/wind.h"
-#include "tests/support/refusals.h"
+#include "tests/support/bad_numbers.h"
+#include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -267,7 +267,7 @@ TEST_CASE("wind: gusts are the same for the same seed, and none blow in a steady
     }
     CHECK(one.velocity_W == other.velocity_W);
     CHECK(one.velocity_W.norm() > 0.0);
-    for (const double dt_s : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    for (const double dt_s : {0.0, -1.0, kNan}) {
         step_gusts(wind, 20.0, dt_s, one);
         CHECK(one.velocity_W == other.velocity_W);
     }

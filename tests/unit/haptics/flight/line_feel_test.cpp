@@ -2,14 +2,14 @@
 
 #include "haptics/flight/kite_loop.h"
 #include "haptics/math/rotation.h"
-#include "tests/support/refusals.h"
+#include "tests/support/bad_numbers.h"
+#include "tests/support/refused.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -77,10 +77,9 @@ TEST_CASE("line feel: opens softly, and fades when the world is silent or says n
         CHECK(felt_N - last_N == Approx(3.0 * kDt_s / 0.5));
         last_N = felt_N;
     }
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     LineState broken = make_state();
-    broken.force_W.x() = nan;
-    for (const LineState& bad : {make_state(-1.0), make_state(0.3), make_state(nan), broken}) {
+    broken.force_W.x() = kNan;
+    for (const LineState& bad : {make_state(-1.0), make_state(0.3), make_state(kNan), broken}) {
         LineFeel open = make_open();
         for (int i = 0; i < 101; ++i) {
             CHECK(step(open, bad, Vector3::Zero(), 0.15).norm() <=
@@ -91,7 +90,7 @@ TEST_CASE("line feel: opens softly, and fades when the world is silent or says n
     // One that is old enough likewise, and a hand that is nowhere feels nothing.
     LineFeel late = make_open();
     CHECK(step(late, make_state(), Vector3::Zero(), 0.11).norm() < 3.0);
-    CHECK(is_finite(late.step(make_state(), {{nan, 0, 0}, {nan, 0, 0, 0}}, 0.0, kDt_s)));
+    CHECK(is_finite(late.step(make_state(), {{kNan, 0, 0}, {kNan, 0, 0, 0}}, 0.0, kDt_s)));
 }
 
 TEST_CASE("line feel: while the world stands, a hand that goes round gains nothing from it") {

@@ -5,14 +5,14 @@
 #include "haptics/flight/catenary.h"
 #include "haptics/math/dense.h"
 #include "haptics/math/length.h"
-#include "tests/support/refusals.h"
+#include "tests/support/bad_numbers.h"
+#include "tests/support/refused.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -207,12 +207,10 @@ TEST_CASE("line: both ends carry the air that passes across it, less its own way
 
 TEST_CASE("line: a hand or an end that is nowhere, or a length that is none, leaves it as it was") {
     const Scene scene;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double infinite = std::numeric_limits<double>::infinity();
     KiteLine line(LineSettings{});
     scene.settle(line, Vector3::Zero(), {16.0, 13.0, 0.0}, 1.0);
-    for (const double bad : {nan, infinite, -infinite, 1.0e300}) {
-        line.set_length_m(nan);
+    for (const double bad : {kNan, kInfinity, -kInfinity, 1.0e300}) {
+        line.set_length_m(kNan);
         const LinePull pull = line.begin_step({0.0, bad, 0.0}, kDt_s, scene.around());
         CHECK(is_finite(pull.force_W));
         line.end_step({bad, 0.0, 0.0});
@@ -236,7 +234,7 @@ TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the g
     double last_J = compute_energy_J(line);
     for (int i = 0; i < 20000; ++i) {
         CHECK(line.begin_step(hand_W, kDt_s, scene.around()).force_W == Vector3::Zero());
-        line.end_step(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
+        line.end_step(Vector3::Constant(kNan));
         // A step is linearised, so what turns quickly may gain a little in one; not over a tenth of a second.
         if (i % 50 == 49) {
             const double energy_J = compute_energy_J(line);

@@ -4,6 +4,7 @@
 #include "haptics/geometry/solid_moments.h"
 #include "haptics/math/orientation.h"
 #include "tests/support/bad_numbers.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/mesh_corners.h"
 #include "tests/support/wander.h"
@@ -37,11 +38,8 @@ TriangleMesh check_hull(const std::vector<Vector3>& points) {
 }
 
 TriangleMesh make_placed(const TriangleMesh& mesh, const Pose& X_WB, double scale) {
-    std::vector<Vector3> vertices = mesh.vertices_B();
-    for (Vector3& vertex : vertices) {
-        vertex = scale * (X_WB * vertex);
-    }
-    return *TriangleMesh::build(std::move(vertices), mesh.triangles(), {.weld_relative = 0.0});
+    return test::move_corners(mesh, [&](const Vector3& v) { return Vector3(scale * (X_WB * v)); },
+                              {.weld_relative = 0.0});
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST_CASE("convex pieces: convex is one, a few holes leave an inside, each time 
     CHECK(make_convex_pieces(mesh).value().piece_of == make_convex_pieces(mesh).value().piece_of);
     const Expected<ConvexPieces> stopped = make_convex_pieces(
         make_bumpy_sphere(0.1, 80, 0.1, 200.0).value(), [](double) { return false; });
-    CHECK(test::is_refused(stopped, "stopped"));
+    CHECK(is_refused(stopped, "stopped"));
 }
 
 TEST_CASE("convex pieces: all that is convex, clear and filled, on shapes that are not convex") {

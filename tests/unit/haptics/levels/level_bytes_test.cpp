@@ -2,6 +2,7 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/levels/level_pairs.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/gear.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/kept_bytes.h"
@@ -10,7 +11,6 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -125,11 +125,9 @@ TEST_CASE("level bytes: levels that no maker makes are refused, their checksum r
     const test::Mended mended(gear.bytes, [&](std::span<const std::byte> some) {
         return decode_contact_levels(some, gear.key).has_value();
     });
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double endless = std::numeric_limits<double>::infinity();
     // d, size and reach.
     for (const std::size_t at : {std::size_t{0}, kCountsAt - 26, kCountsAt - 18}) {
-        mended.check_refused_at(at, nan, endless, -1.0, 0.0);
+        mended.check_refused_at(at, kNan, kInfinity, -1.0, 0.0);
     }
     mended.check_refused_at(8, std::int64_t{-1});            // triangles of the report
     mended.check_refused_at(kCountsAt - 10, 0, 2147483647);  // levels
@@ -148,10 +146,10 @@ TEST_CASE("level bytes: levels that no maker makes are refused, their checksum r
     mended.check_refused_at(kNodesAt + 4, -1, 0, root.n_children + 1, 2147483647);
     mended.check_refused_at(kNodesAt + 8, -1, 1000);
     for (std::size_t number = 0; number < 13; ++number) {
-        mended.check_refused_at(kNodesAt + 12 + 8 * number, nan, -1.0e40);
+        mended.check_refused_at(kNodesAt + 12 + 8 * number, kNan, -1.0e40);
     }
     for (const std::size_t finite : {0U, 3U, 4U, 5U, 7U, 9U, 12U}) {
-        mended.check_refused_at(kNodesAt + 12 + 8 * finite, endless);
+        mended.check_refused_at(kNodesAt + 12 + 8 * finite, kInfinity);
     }
     mended.check_refused_at(kNodesAt + 116, std::uint8_t{2});
     // Hulls of no point, or of points and triangles that are not there.
@@ -159,7 +157,7 @@ TEST_CASE("level bytes: levels that no maker makes are refused, their checksum r
     for (const std::size_t list : {0U, 1U, 2U}) {
         mended.check_refused_at(gear.spans_at + 8 * list * n_nodes, -1);
     }
-    mended.check_refused_at(gear.spans_at + 24 * n_nodes, nan, 1.0e300);        // a point
+    mended.check_refused_at(gear.spans_at + 24 * n_nodes, kNan, 1.0e300);       // a point
     mended.check_refused_at(gear.bytes.size() - kPayloadAt - 36, -1, 1 << 30);  // a triangle
     // And what is within its range is taken.
     CHECK(mended.takes_at(kNodesAt + 12 + 8 * 5, 1.0e-3));

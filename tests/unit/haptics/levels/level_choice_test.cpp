@@ -1,6 +1,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/levels/contact_levels.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/edited_meshes.h"
 #include "tests/support/level_parts.h"
 #include "tests/support/refused.h"
@@ -9,22 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
 using namespace fulcrum;
-using test::find_push;
-using test::kRounding_m;
-using test::Levels;
-using test::make_lumps;
-using test::make_pairs;
+using namespace fulcrum::test;
 
 namespace {
-
-Levels make_levels(const TriangleMesh& mesh, double within_m = 1.0e-3) {
-    return ContactLevels::create(mesh, {.within_m = within_m}).value();
-}
 
 // Every triangle below a node lies within `outside_m` of its hull: corners say it, for a distance to what is convex is greatest there.
 void check_bounds(const TriangleMesh& mesh, const ContactLevels& levels) {
@@ -195,8 +187,8 @@ TEST_CASE("contact levels: what is wrong with a mesh is told, and a broken one h
 
 TEST_CASE("contact levels: what cannot be is refused, and an order to stop is heard") {
     const TriangleMesh mesh = make_bumpy_sphere(0.1, 20, 0.05, 30.0).value();
-    for (const double within_m : {0.0, -1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
-        CHECK(test::is_refused(ContactLevels::create(mesh, {.within_m = within_m}), "within_m"));
+    for (const double within_m : {0.0, -1.0, 2.0, kNan}) {
+        CHECK(is_refused(ContactLevels::create(mesh, {.within_m = within_m}), "within_m"));
     }
     double share = 0.0;
     const auto told = ContactLevels::create(mesh, {}, [&share](double done) {
@@ -207,7 +199,7 @@ TEST_CASE("contact levels: what cannot be is refused, and an order to stop is he
     REQUIRE(told);
     const auto stopped = ContactLevels::create(make_bumpy_sphere(0.1, 60, 0.05, 100.0).value(), {},
                                                [](double done) { return done < 0.25; });
-    CHECK(test::is_refused(stopped, "stopped"));
+    CHECK(is_refused(stopped, "stopped"));
 }
 
 // A budget of time is kept however deep it is, and what it leaves is told: by a clock that counts.

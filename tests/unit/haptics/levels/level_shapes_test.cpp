@@ -3,13 +3,13 @@
 #include "haptics/levels/level_draft.h"
 #include "haptics/levels/level_surface.h"
 #include "haptics/levels/surface_measures.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/edited_meshes.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -225,8 +225,7 @@ TEST_CASE("surface measures: hulls stand out by no more than they do, and a fift
             for (int j = 0; j + n <= kSquares; j += 9) {
                 const LevelDraft draft = hull_of_piece(sheet, i, j, n);
                 const double there_m = measure_densely_m(draft, surface);
-                const double measured_m = draft.measure_bulge_m(
-                    surface, kSquare_m, std::numeric_limits<double>::infinity());
+                const double measured_m = draft.measure_bulge_m(surface, kSquare_m, kInfinity);
                 CAPTURE(n, i, j, there_m, measured_m);
                 CHECK(measured_m <= there_m * 1.001 + 1.0e-6);
                 least_share = std::min(least_share, measured_m / std::max(there_m, 1.0e-5));

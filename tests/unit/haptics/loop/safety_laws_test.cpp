@@ -1,5 +1,6 @@
 #include "haptics/loop/safety.h"
 #include "tests/support/bad_numbers.h"
+#include "tests/support/refused.h"
 #include "tests/unit/haptics/loop/safety_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -97,7 +98,7 @@ TEST_CASE("safety: a force that is there from the start comes in softly at a han
     SafetyGate gate{SafetySettings{}};
     CHECK(hold(gate, kRests, 499) == 0.0);
     // The rest is one: a movement, a fault, a speed that nobody knows or that is no number begins it anew.
-    for (const double moves : {0.051, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    for (const double moves : {0.051, std::nan(""), kInfinity}) {
         CHECK(hold(gate, moves, 1) == 0.0);
         CHECK(hold(gate, kRests, 499) == 0.0);
     }
@@ -238,19 +239,7 @@ TEST_CASE("safety: what lies at a limit by rounding is given, not dropped, in ev
     }
 }
 
-TEST_CASE("safety: settings outside their ranges are refused with the name and the range") {
-    CHECK(validate(SafetySettings{}));
-    SafetySettings strong;
-    strong.max_force_N = 10.1;
-    const auto refused = validate(strong);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("max_force_N is 10.1") != std::string::npos);
-    CHECK(to_sentence(refused.error()).find("0.5 to 10") != std::string::npos);
-    // The gate itself does not believe them either.
-    CHECK(SafetyGate(strong).max_force_N() == kHardForceCap_N);
-}
-
-TEST_CASE("safety: each setting is accepted at its bounds and refused just past them") {
+TEST_CASE("safety: each setting is accepted at its bounds and refused just past them, by name") {
     struct Bound {
         double SafetySettings::*field;
         double low, high;
@@ -284,6 +273,11 @@ TEST_CASE("safety: each setting is accepted at its bounds and refused just past 
             CHECK_FALSE(accepts(bad));
         }
     }
+    CHECK(validate(SafetySettings{}));
+    SafetySettings strong;
+    strong.max_force_N = 10.1;
+    CHECK(is_refused(validate(strong), "max_force_N is 10.1"));
+    CHECK(is_refused(validate(strong), "0.5 to 10"));
     for (const int cycles : {0, 1, 1000, 1001}) {
         SafetySettings settings;
         settings.engage_cycles = cycles;

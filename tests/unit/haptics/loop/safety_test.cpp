@@ -138,13 +138,6 @@ TEST_CASE("safety: no force before five calm cycles, then 5 N/s in closed form, 
     CHECK(gate.phase() == GatePhase::open);
 }
 
-TEST_CASE("safety: a calm hand does not use up the soft start's limit on a sudden wall") {
-    SafetyGate gate{SafetySettings{}};
-    pass(gate, along_x(0.0), 1000);
-    REQUIRE(gate.phase() == GatePhase::rising);
-    CHECK(pass(gate, along_x(5.0)).force.x() == Approx(0.005));
-}
-
 TEST_CASE(
     "safety: without transients the slew law in closed form, through zero, and no long jump") {
     SafetySettings settings;

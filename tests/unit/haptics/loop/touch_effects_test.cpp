@@ -106,20 +106,18 @@ const TouchForce kOther{1, Vector3::UnitY(), 0.001, 500.0};
 }  // namespace
 
 TEST_CASE("touch motion: it is there where a solid has a texture or a transient or is heard") {
-    HapticPlan plan;
-    plan.solids.resize(2);
-    CHECK_FALSE(TouchMotion::is_needed(plan));
-    plan.solids[1].surface.audible = true;
-    CHECK(TouchMotion::is_needed(plan));
-    plan.solids[1].surface = {};
-    plan.solids[1].surface.texture.source = SineTexture{};
-    CHECK(TouchMotion::is_needed(plan));
-    plan.solids[1].surface = {};
-    plan.solids[1].surface.transient.kind = TransientKind::fixed_pulse;
-    CHECK(TouchMotion::is_needed(plan));
-    plan.solids[1].surface = {};
-    plan.solids[1].surface.shading.on = true;
-    CHECK_FALSE(TouchMotion::is_needed(plan));
+    const auto is_needed = [](void (*change)(SurfacePlan & surface)) {
+        HapticPlan plan;
+        plan.solids.resize(2);
+        change(plan.solids[1].surface);
+        return TouchMotion::is_needed(plan);
+    };
+    using S = SurfacePlan;
+    CHECK_FALSE(is_needed([](S& /*surface*/) {}));
+    CHECK(is_needed([](S& surface) { surface.audible = true; }));
+    CHECK(is_needed([](S& surface) { surface.texture.source = SineTexture{}; }));
+    CHECK(is_needed([](S& surface) { surface.transient.kind = TransientKind::fixed_pulse; }));
+    CHECK_FALSE(is_needed([](S& surface) { surface.shading.on = true; }));
 }
 
 TEST_CASE("touch motion: a tap is told once, with the speed along the normal") {

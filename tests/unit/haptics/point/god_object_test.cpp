@@ -1,6 +1,7 @@
 #include "haptics/point/god_object.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
@@ -252,12 +253,8 @@ TEST_CASE("god object: a hand up to 1e30 m away is followed, and the smallest me
     CHECK(proxy.step(Vector3(0.0, 1.0e30, 0.0), {}).position_W.y() == 1.0e30);
     CHECK(proxy.step(Vector3(0.0, 1.001e30, 0.0), {}).position_W.y() == 1.0e30);
     constexpr double kScale = 1.0e-30;
-    auto vertices = make_box(Vector3::Ones())->vertices_B();
-    for (Vector3& vertex : vertices) {
-        vertex *= kScale;
-    }
-    GodObject other(
-        {solid_of(TriangleMesh::build(vertices, make_box(Vector3::Ones())->triangles()))});
+    GodObject other({solid_of(test::move_corners(
+        *make_box(Vector3::Ones()), [](const Vector3& v) { return Vector3(kScale * v); }))});
     other.reset(kScale * Vector3(0.1, 0.9, -0.2));
     const ProxyContact& contact = other.step(kScale * Vector3(0.13, 0.3, -0.22), {});
     CHECK((contact.position_W / kScale - Vector3(0.13, 0.5, -0.22)).norm() < 1e-9);

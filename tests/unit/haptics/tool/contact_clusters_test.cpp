@@ -1,13 +1,13 @@
 #include "haptics/tool/contact_clusters.h"
 
 #include "haptics/tool/contact_loop.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <rapidcheck.h>
 #include <vector>
 
@@ -227,20 +227,17 @@ TEST_CASE("contact clusters: a contact that passes from one to another moves nei
 }
 
 TEST_CASE("contact clusters: bad settings are refused; what weighs nothing changes nothing") {
-    test::check_refused(kPlain,
-                        {[](auto& s) { s.within_m = 0.0; }, [](auto& s) { s.radius_m = -1.0; },
-                         [](auto& s) { s.most = 0; }, [](auto& s) { s.most = kMostClusters + 1; },
-                         [](auto& s) { s.fade_s = std::nan(""); }});
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double endless = std::numeric_limits<double>::infinity();
+    check_refused(kPlain, {[](auto& s) { s.within_m = 0.0; }, [](auto& s) { s.radius_m = -1.0; },
+                           [](auto& s) { s.most = 0; }, [](auto& s) { s.most = kMostClusters + 1; },
+                           [](auto& s) { s.fade_s = std::nan(""); }});
     const std::vector<NearContact> bad{at(0.03, 0.0, -kPlain.within_m),
                                        at(0.03, 0.0, -1.0),
-                                       at(0.03, 0.0, nan),
-                                       at(0.03, 0.0, endless),
-                                       at(nan, 0.0, 0.001),
+                                       at(0.03, 0.0, kNan),
+                                       at(0.03, 0.0, kInfinity),
+                                       at(kNan, 0.0, 0.001),
                                        at(1.0e300, 0.0, 0.001),
                                        at(0.03, 0.0, 0.001, Vector3::Zero()),
-                                       at(0.03, 0.0, 0.001, Vector3(nan, 1.0, 0.0)),
+                                       at(0.03, 0.0, 0.001, Vector3(kNan, 1.0, 0.0)),
                                        at(0.03, 0.0, 0.001, 1.0e200 * Vector3::UnitY())};
     // Alone none of them is a cluster, at any place of the list.
     for (const NearContact& one : bad) {
@@ -259,7 +256,7 @@ TEST_CASE("contact clusters: bad settings are refused; what weighs nothing chang
         std::vector<NearContact> mixed(bad);
         mixed.insert(mixed.end(), good.begin(), good.end());
         std::ranges::rotate(mixed, mixed.begin() + i % static_cast<int>(bad.size()));
-        const double dt_s = i == 10 ? nan : i == 20 ? -1.0 : kDt_s;
+        const double dt_s = i == 10 ? kNan : i == 20 ? -1.0 : kDt_s;
         without.update(good, Pose{}, i == 10 || i == 20 ? 0.0 : kDt_s);
         with.update(mixed, Pose{}, dt_s);
         REQUIRE(with.all().size() == without.all().size());

@@ -2,11 +2,11 @@
 
 #include "haptics/base/clock.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/refused.h"
 
 #include <catch2/catch.hpp>
 
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -113,10 +113,10 @@ TEST_CASE("contact loop: what an object sees of the tool is relative to it") {
 TEST_CASE("contact loop: a place that is none tells nothing; clusters live on between rounds") {
     Bench bench;
     ToolPlace spoiled = place_at(0.0096);
-    spoiled.tool.pose_W.position.x() = std::numeric_limits<double>::quiet_NaN();
+    spoiled.tool.pose_W.position.x() = kNan;
     CHECK(bench.look(spoiled) == nullptr);
     spoiled = place_at(0.0096);
-    spoiled.objects[0].velocity_W.angular.y() = std::numeric_limits<double>::infinity();
+    spoiled.objects[0].velocity_W.angular.y() = kInfinity;
     CHECK(bench.look(spoiled) == nullptr);
     CHECK(bench.look(place_at(0.0096, -1.0)) == nullptr);
     CHECK(bench.look(place_at(0.0096, 0.0, 2)) == nullptr);
@@ -143,7 +143,7 @@ TEST_CASE("contact loop: what cannot be is refused") {
     CHECK_FALSE(create_loop(kMaxSolids + 1, channels, n_asked));
     std::vector<std::unique_ptr<ContactFinder>> none(1);
     CHECK_FALSE(ContactLoop::create(std::move(none), {}, channels));
-    test::check_refused(
+    check_refused(
         ContactLoopSettings{},
         {[](auto& s) { s.most_near = 1; }, [](auto& s) { s.clusters.most = 0; },
          [](auto& s) { s.budget_us = -1.0; }, [](auto& s) { s.budget_us = std::nan(""); }});

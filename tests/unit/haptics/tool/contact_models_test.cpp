@@ -3,6 +3,7 @@
 #include "haptics/tool/contact_taylor.h"
 #include "haptics/tool/implicit_penalty.h"
 #include "tests/support/adding_load.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/differentiated_loads.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/refused.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 using namespace fulcrum::test;
@@ -140,12 +140,12 @@ TEST_CASE("contact age: no answer, one from the future, no number and bad settin
     age = ContactAge({});
     age.step(1.0, 2.0, kDt_s);
     CHECK(age.age_s() == 0.0);
-    age.step(1.0, std::numeric_limits<double>::quiet_NaN(), kDt_s);
+    age.step(1.0, kNan, kDt_s);
     CHECK(age.is_late());
     CHECK(age.share() < 1.0);
-    test::check_ranges(ContactAgeSettings{},
-                       {{"hold_s", [](auto& s) -> double& { return s.hold_s; }, 0.001, 10.0},
-                        {"fade_s", [](auto& s) -> double& { return s.fade_s; }, 0.001, 10.0}});
+    check_ranges(ContactAgeSettings{},
+                 {{"hold_s", [](auto& s) -> double& { return s.hold_s; }, 0.001, 10.0},
+                  {"fade_s", [](auto& s) -> double& { return s.fade_s; }, 0.001, 10.0}});
 }
 
 TEST_CASE("contact taylor: where it was found it is the force of all clusters, to rounding") {

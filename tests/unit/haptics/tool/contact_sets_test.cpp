@@ -353,7 +353,7 @@ TEST_CASE("contact planes: too many, other objects, none at all, and bad setting
     planes.learn(model_of({elsewhere}));
     planes.begin_step({}, kStanding, kDt_s);
     CHECK_FALSE(planes.is_near());
-    test::check_refused(
+    check_refused(
         kUndamped,
         {[](auto& s) { s.stiffness_N_per_m = -1.0; }, [](auto& s) { s.damping_Ns_per_m = 1.0e5; },
          [](auto& s) { s.within_m = 0.0; }, [](auto& s) { s.rise_m_per_s = 0.0; },

@@ -3,13 +3,13 @@
 #include "haptics/dynamics/rigid_state.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/voxel_tool.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/field_parts.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <rapidcheck.h>
 #include <vector>
@@ -190,8 +190,7 @@ TEST_CASE("field contacts: far away there are none, and what cannot be is refuse
     CHECK(finder->reach_m() == shell->reach_m());
     CHECK_FALSE(FieldContacts::create(nullptr, shell, 0.001));
     CHECK_FALSE(FieldContacts::create(field, nullptr, 0.001));
-    for (const double within_m :
-         {0.0, -1.0, 1.01 * most_m(), std::numeric_limits<double>::quiet_NaN()}) {
+    for (const double within_m : {0.0, -1.0, 1.01 * most_m(), kNan}) {
         CHECK_FALSE(FieldContacts::create(field, shell, within_m));
     }
 }

@@ -1,5 +1,6 @@
 #include "haptics/math/rotation.h"
 #include "haptics/tool/field_sampling.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/refused.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 using namespace fulcrum;
@@ -290,8 +290,7 @@ TEST_CASE("field sampling sweep: out and along, no deeper; what is no pose goes 
     stretched.orientation.coeffs() *= 1.0e200;
     Pose flat = here;
     flat.orientation.coeffs().setZero();
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const Pose& broken : {Pose::at(Vector3::Constant(nan)), Pose::at({0.0, -1.0e18, 0.0}),
+    for (const Pose& broken : {Pose::at(Vector3::Constant(kNan)), Pose::at({0.0, -1.0e18, 0.0}),
                                Pose::at({0.0, -1.0e300, 0.0}), stretched, flat}) {
         CHECK(sampler.find_first_touch(broken, here) == 0.0);
         CHECK(sampler.find_first_touch(here, broken) == 0.0);
@@ -303,7 +302,7 @@ TEST_CASE("field sampling sweep: out and along, no deeper; what is no pose goes 
 }
 
 TEST_CASE("field sampling build: settings out of range and missing parts are refused") {
-    test::check_refused(
+    check_refused(
         FieldSamplingSettings{.budget_us = 100.0},
         {[](auto& s) { s.stiffness_N_per_m = -1.0; },
          [](auto& s) { s.stiffness_N_per_m = std::nan(""); }, [](auto& s) { s.budget_us = 1.0; },

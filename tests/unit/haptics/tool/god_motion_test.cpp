@@ -1,6 +1,7 @@
 #include "haptics/tool/god_motion.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/god_scene.h"
 #include "tests/support/wander.h"
 
@@ -83,12 +84,9 @@ TEST_CASE("god motion: between floor and ceiling it glides, and they push no mor
     // Plates that lie askew a few metres from their origins: so far do their normals' differences round.
     const Quaternion turn(compute_exp({0.3, -0.7, 0.4}));
     const auto make_plate_at = [&](double y) {
-        const TriangleMesh plate = make_box({0.5, 0.1, 0.4}).value();
-        std::vector<Vector3> vertices = plate.vertices_B();
-        for (Vector3& v : vertices) {
-            v = turn * (v + Vector3(3.1, y, -2.7));
-        }
-        return TriangleMesh::build(std::move(vertices), plate.triangles()).value();
+        return test::move_corners(make_box({0.5, 0.1, 0.4}).value(), [&](const Vector3& v) {
+            return Vector3(turn * (v + Vector3(3.1, y, -2.7)));
+        });
     };
     const auto at = [&](double x, double y, double z, const Vector3& turned = Vector3::Zero()) {
         return Pose{turn * Vector3(3.1 + x, y, -2.7 + z), turn * compute_exp(turned)};

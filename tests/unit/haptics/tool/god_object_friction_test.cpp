@@ -269,16 +269,16 @@ TEST_CASE("god-object friction: what is out of range, and a viscous part, are re
                                  friction};
         return GodObjectTool::build({plan}, test::make_god_settings(kCube)).has_value();
     };
-    test::check_refused(kWood, takes,
-                        {[](auto& friction) {
-                             friction = {0.5, 0.6, 0.0};
-                         },
-                         [](auto& friction) {
-                             friction = {std::nan(""), 0.0, 0.0};
-                         },
-                         [](auto& friction) {
-                             friction = {0.5, 0.4, 1.0};
-                         }});
+    check_refused(kWood, takes,
+                  {[](auto& friction) {
+                       friction = {0.5, 0.6, 0.0};
+                   },
+                   [](auto& friction) {
+                       friction = {std::nan(""), 0.0, 0.0};
+                   },
+                   [](auto& friction) {
+                       friction = {0.5, 0.4, 1.0};
+                   }});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "haptics/tool/god_object_tool.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/god_scene.h"
 #include "tests/support/refused.h"
 #include "tests/support/wander.h"
@@ -8,7 +9,6 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -216,21 +216,21 @@ TEST_CASE("god-object tool: a handle that is no number feels nothing; bad settin
     GodObjectTool tool = make_tool(make_ground());
     tool.place(Pose::at({0.0, 0.03, 0.0}));
     (void)move_to(tool, Pose::at({0.0, 0.01, 0.0}), kBlended);
-    const Pose nowhere = Pose::at({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
+    const Pose nowhere = Pose::at({kNan, 0.0, 0.0});
     CHECK_FALSE(move_to(tool, nowhere).moved);
     CHECK(tool.force(nowhere).force == Vector3::Zero());
     // It goes on afterwards as if nothing had been.
     CHECK(move_to(tool, Pose::at({0.0, 0.01, 0.0})).felt_W.force.y() ==
           Approx(kStiffness * 0.010001));
     const GodObjectSettings good = test::make_god_settings(kCube);
-    test::check_refused(
-        good, {[](auto& s) { s.gap_m = 0.0; }, [](auto& s) { s.gap_m = std::nan(""); },
-               [](auto& s) { s.gap_m = 0.99e-8; }, [](auto& s) { s.step_share = 0.0; },
-               [](auto& s) { s.step_share = 1.1; }, [](auto& s) { s.fade_s = -1.0; },
-               [](auto& s) { s.most_rounds = 0; }, [](auto& s) { s.most_contacts = 0; },
-               [](auto& s) { s.grip_T.x() = 11.0; }, [](auto& s) { s.handle_turn.w() = 2.0; },
-               [](auto& s) { s.inertia.mass_kg = 0.0; },
-               [](auto& s) { s.coupling.shift.stiffness_N_per_m = -1.0; }});
+    check_refused(good,
+                  {[](auto& s) { s.gap_m = 0.0; }, [](auto& s) { s.gap_m = std::nan(""); },
+                   [](auto& s) { s.gap_m = 0.99e-8; }, [](auto& s) { s.step_share = 0.0; },
+                   [](auto& s) { s.step_share = 1.1; }, [](auto& s) { s.fade_s = -1.0; },
+                   [](auto& s) { s.most_rounds = 0; }, [](auto& s) { s.most_contacts = 0; },
+                   [](auto& s) { s.grip_T.x() = 11.0; }, [](auto& s) { s.handle_turn.w() = 2.0; },
+                   [](auto& s) { s.inertia.mass_kg = 0.0; },
+                   [](auto& s) { s.coupling.shift.stiffness_N_per_m = -1.0; }});
     CHECK_FALSE(GodObjectTool::build({}, good).has_value());
     CHECK_FALSE(GodObjectTool::build({{}}, good).has_value());
 }

@@ -2,6 +2,7 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/god_scene.h"
 #include "tests/support/wander.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace fulcrum {
@@ -44,7 +44,7 @@ TEST_CASE("god pair: a cube on a plate is held at its corners, over its border a
     // Beyond, nothing.
     pair.collect(Pose::at({0.003, 0.01 + 5.0 * kGap_m, 0.001}), 4.0 * kGap_m);
     CHECK(pair.contacts().empty());
-    CHECK(pair.least_gap_m() == std::numeric_limits<double>::infinity());
+    CHECK(pair.least_gap_m() == kInfinity);
     pair = make_pair(make_plate(0.2, 0.2, 10).value(), test::make_cube(0.02));
     // An edge of the cube along z, aside of the plate's border along z and above it.
     const Vector3 off(1.0e-6, 2.0e-6, 0.0);
@@ -202,9 +202,8 @@ TEST_CASE(
     pair.collect(Pose::at({0.0001, 1.0e-6, 0.0001}), 4.0e-6);
     CHECK(pair.is_full());
     CHECK(pair.contacts().size() <= 8);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(pair.find_free_share(Pose{}, Pose::at({nan, 0.0, 0.0}), kTouch_m) == 0.0);
-    CHECK_FALSE(pair.is_apart(Pose::at({0.0, 0.0, nan}), kTouch_m));
+    CHECK(pair.find_free_share(Pose{}, Pose::at({kNan, 0.0, 0.0}), kTouch_m) == 0.0);
+    CHECK_FALSE(pair.is_apart(Pose::at({0.0, 0.0, kNan}), kTouch_m));
     // Crossing: nothing may be gone.
     CHECK(pair.find_free_share({Vector3::Zero(), compute_exp(Vector3(1.0, 0.0, 0.0))},
                                {Vector3(0.01, 0.0, 0.0), compute_exp(Vector3(1.0, 0.0, 0.0))},
@@ -239,8 +238,7 @@ TEST_CASE("god pair: whether something is within a distance is told as brute for
     }
     CHECK(n_within > 100);
     CHECK(n_apart > 100);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(pair.has_within(Pose::at({nan, 0.0, 0.0}), 1.0e-3));
+    CHECK(pair.has_within(Pose::at({kNan, 0.0, 0.0}), 1.0e-3));
 }
 
 TEST_CASE("god pair: put elsewhere it goes as one that is new, to the bit") {

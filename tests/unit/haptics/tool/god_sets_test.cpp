@@ -2,13 +2,13 @@
 #include "haptics/math/rotation.h"
 #include "haptics/tool/god_force.h"
 #include "haptics/tool/god_front.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -184,8 +184,7 @@ TEST_CASE("god front: without room, and at places that are none, all is forgotte
     CHECK(front.look(scene.place(near_by), 0.003) == GodLook::no_room);
     REQUIRE(front.look(scene.place(Pose::at({0.0, 1.0, 0.0})), 0.003) == GodLook::whole);
     CHECK(front.near().empty());
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(front.look(scene.place(Pose::at({nan, 0.0, 0.0})), 0.003) == GodLook::no_room);
+    CHECK(front.look(scene.place(Pose::at({kNan, 0.0, 0.0})), 0.003) == GodLook::no_room);
     REQUIRE(front.look(scene.place(Pose::at({0.0, 1.0, 0.0})), 0.003) == GodLook::whole);
     CHECK(front.memory_bytes() > 0);
     // Standing still uses nothing up, for however long.

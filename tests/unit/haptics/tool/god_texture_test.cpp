@@ -2,13 +2,13 @@
 
 #include "haptics/math/rotation.h"
 #include "haptics/surface/triplanar.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/god_scene.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -309,19 +309,18 @@ TEST_CASE(
 }
 
 TEST_CASE("god texture: what is no number adds nothing; grooves are as steep as samples say") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto texture =
         std::make_shared<const Texture>(make_grooves(TextureLaw::perturbed_normal));
     GodTexture felt(texture, {.stiffness_N_per_m = kStiffness, .reach_m = 0.02, .fade_s = 0.0});
     felt.begin({}, {}, 1.0);
-    felt.add(Vector3::Constant(nan), Vector3::UnitY(), 0.5);
-    felt.add(Vector3::Zero(), Vector3::UnitY(), nan);
+    felt.add(Vector3::Constant(kNan), Vector3::UnitY(), 0.5);
+    felt.add(Vector3::Zero(), Vector3::UnitY(), kNan);
     CHECK(felt.finish(kGodDt_s).force.isZero(0.0));
-    felt.begin({}, Pose::at(Vector3::Constant(nan)), 1.0);
+    felt.begin({}, Pose::at(Vector3::Constant(kNan)), 1.0);
     felt.add(Vector3::Zero(), Vector3::UnitY(), 1.0);
     CHECK(felt.finish(kGodDt_s).force.isZero(0.0));
     CHECK(felt.bumps_J() == 0.0);
-    felt.begin({}, {}, nan);
+    felt.begin({}, {}, kNan);
     felt.add(Vector3::Zero(), Vector3::UnitY(), 1.0);
     CHECK(felt.finish(kGodDt_s).force.isZero(0.0));
     // And what is a number is felt again.

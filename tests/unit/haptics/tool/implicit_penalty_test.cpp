@@ -334,7 +334,7 @@ TEST_CASE("implicit penalty: what cannot be built is refused with a sentence") {
         CHECK((tool || !tool.error().message.empty()));
         return tool.has_value();
     };
-    test::check_refused(
+    check_refused(
         make_plan(), takes,
         {[](auto& p) { p.objects.clear(); }, [](auto& p) { p.objects.front().field = nullptr; },
          [](auto& p) { p.settings.inertia.mass_kg = 0.0; },

@@ -178,7 +178,7 @@ TEST_CASE("level contacts: lists get an even share; a tool needs levels made as 
     plan.settings.contacts.within_m = 0.25 * kWithin_m;
     CHECK(ImplicitPenaltyTool::build(plan));
     plan.settings.clusters.within_m = 1.5 * kWithin_m;
-    CHECK(test::is_refused(ImplicitPenaltyTool::build(plan), "within_m"));
+    CHECK(is_refused(ImplicitPenaltyTool::build(plan), "within_m"));
     plan.meshes.front().tool = nullptr;
     CHECK_FALSE(ImplicitPenaltyTool::build(plan));
 }

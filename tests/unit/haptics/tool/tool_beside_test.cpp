@@ -1,5 +1,6 @@
 // What a tool finds beside its steps, by turns in one thread: the god-object's motion, the implicit penalty's contact rounds. As in line when they keep
 // pace, and what is felt when they come late or not at all.
+#include "tests/support/bad_numbers.h"
 #include "tests/support/god_scene.h"
 #include "tests/support/silent_contacts.h"
 #include "tests/support/tool_scene.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -330,7 +330,6 @@ TEST_CASE("penalty: what a round is told is where all was when the step began") 
 }
 
 TEST_CASE("penalty: a step of no time leaves the tool as it is, one that cannot be made at rest") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     auto tool = make_penalty(true);
     auto calm = make_penalty(true);
     const auto go_on = [&](ImplicitPenaltyTool& one, int i) {
@@ -342,13 +341,13 @@ TEST_CASE("penalty: a step of no time leaves the tool as it is, one that cannot 
     calm.place(hand_at(0.0));
     for (int i = 1; i <= 300; ++i) {
         if (i % 50 == 0) {
-            for (const double bad : {nan, -kDt_s, std::numeric_limits<double>::infinity()}) {
+            for (const double bad : {kNan, -kDt_s, kInfinity}) {
                 const ToolFelt nothing =
                     tool.move({hand_at(i * kDt_s), {}}, {&kBlock, 1}, i * kDt_s, bad);
                 CHECK_FALSE(nothing.moved);
                 CHECK(nothing.felt_W.force == Vector3::Zero());
             }
-            CHECK_FALSE(tool.move({hand_at(i * kDt_s), {}}, {&kBlock, 1}, nan, kDt_s).moved);
+            CHECK_FALSE(tool.move({hand_at(i * kDt_s), {}}, {&kBlock, 1}, kNan, kDt_s).moved);
         }
         REQUIRE(same(go_on(tool, i), go_on(calm, i)));
     }

@@ -265,10 +265,9 @@ TEST_CASE("distance field settings: what cannot be built is refused with a reaso
     CHECK_FALSE(DistanceField::build(ball, flat));
     VoxelFrame aside = good;
     aside.lower_O.x() += 4.0 * good.voxel_m;
-    CHECK(
-        test::is_refused(DistanceField::build(ball, aside), "from the mesh; take a larger block"));
+    CHECK(is_refused(DistanceField::build(ball, aside), "from the mesh; take a larger block"));
 
-    test::check_refused(
+    check_refused(
         DistanceFieldSettings{},
         {[](auto& s) { s.band_voxels = 1.0; }, [](auto& s) { s.band_voxels = std::nan(""); },
          [](auto& s) { s.n_threads = 0; }, [](auto& s) { s.sheet_voxels = 0.5; },

@@ -312,5 +312,5 @@ TEST_CASE("shell tree: a shell without points or with none that are numbers is r
     CHECK_FALSE(ShellTree::build({}));
     Pointshell shell = make_shell(40);
     shell.y_m[17] = std::numeric_limits<float>::quiet_NaN();
-    CHECK(test::is_refused(ShellTree::build(shell), "point 17"));
+    CHECK(is_refused(ShellTree::build(shell), "point 17"));
 }

@@ -2,6 +2,7 @@
 #include "haptics/voxel/shape_bytes.h"
 #include "haptics/voxel/shape_fit.h"
 #include "haptics/voxel/voxelise.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/edited_meshes.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/hard_meshes.h"
@@ -21,8 +22,6 @@ namespace {
 
 using test::Mended;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 TriangleMesh ball() {
@@ -207,7 +206,7 @@ TEST_CASE(
     // Frame: lower corner, voxel, cells.
     mended.check_refused_at(24, 0.0, -1.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        mended.check_refused_at(8 * axis, kNan, kEndless, -1.0e300);
+        mended.check_refused_at(8 * axis, kNan, kInfinity, -1.0e300);
         const std::int32_t n = field().frame().n_cells[axis];
         mended.check_refused_at(32 + 4 * axis, 0, -8, n - 8, n + 1, n + 8, 2147483640);
     }

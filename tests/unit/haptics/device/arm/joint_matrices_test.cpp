@@ -2,6 +2,7 @@
 #include "haptics/device/arm/cholesky.h"
 #include "haptics/device/arm/joint_matrix.h"
 #include "haptics/math/plain_eigen.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/device/arm/arm_fixture.h"
 #include "tests/unit/haptics/device/arm/dense_joints.h"
 
@@ -9,7 +10,6 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <limits>
 
 using namespace fulcrum;
 using namespace fulcrum::arm_test;
@@ -170,8 +170,7 @@ TEST_CASE("joint matrix: each row is added from its first number to its last, to
 }
 
 TEST_CASE("joint matrix: what is not finite is told, of the joints that there are") {
-    for (const double bad :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const double bad : {kNan, kInfinity}) {
         for (int i = 0; i < 4; ++i) {
             JointVector v(4);
             v(i) = bad;

@@ -1,13 +1,15 @@
 #include "haptics/device/hid/force_effects.h"
 #include "haptics/device/hid/force_layout.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/hid_descriptors.h"
+#include "tests/support/refused.h"
+#include "tests/support/told.h"
 #include "tests/support/virtual_hid.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <memory>
 #include <thread>
 
@@ -99,8 +101,7 @@ TEST_CASE("force effects: what is not a number is no force, what is too much is 
     REQUIRE(bench.effects.set(*bench.link, 1e9, -1e9));
     CHECK(bench.stick->felt().right == Approx(1.0));
     CHECK(bench.stick->felt().away == Approx(-1.0));
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    REQUIRE(bench.effects.set(*bench.link, nan, nan));
+    REQUIRE(bench.effects.set(*bench.link, kNan, kNan));
     CHECK(bench.stick->felt().right == 0.0);
     CHECK(bench.stick->felt().away == 0.0);
 }
@@ -173,9 +174,7 @@ TEST_CASE(
     // Room for the first axis alone: what was made is ended.
     Bench full({});
     full.stick->make_room(1);
-    const auto refused = full.effects.begin(*full.link);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()) ==
+    CHECK(refusal_of(full.effects.begin(*full.link)) ==
           "the device did not have room for a constant force; unplug it and plug it in again, or "
           "use it without force.");
     CHECK(full.stick->n_effects() == 0);
@@ -277,9 +276,7 @@ TEST_CASE("force layout: what cannot be used is refused, and who speaks of force
     REQUIRE(at != one_sign.end());
     at[3] = 0;
     at[4] = 0;
-    const auto refused = layout_of(one_sign);
-    REQUIRE_FALSE(refused);
-    CHECK(refused.error().message.find("one sign only") != std::string::npos);
+    CHECK(is_refused(layout_of(one_sign), "one sign only"));
     CHECK(layout_of(without(0x57)));  // by axes then
     Bytes lost = without(0x57);
     for (std::size_t i = 0; i + 1 < lost.size(); ++i) {
@@ -287,9 +284,7 @@ TEST_CASE("force layout: what cannot be used is refused, and who speaks of force
             lost[i + 1] = 0xEE;
         }
     }
-    const auto none = layout_of(lost);
-    REQUIRE_FALSE(none);
-    CHECK(none.error().message.find("no directions") != std::string::npos);
+    CHECK(is_refused(layout_of(lost), "no directions"));
     const auto speaks = [](const Bytes& bytes) {
         return mentions_force(*ReportDescriptor::parse(bytes));
     };

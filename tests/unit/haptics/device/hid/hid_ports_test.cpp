@@ -2,6 +2,7 @@
 #include "haptics/device/hid/hid_ability.h"
 #include "haptics/device/hid/hid_port.h"
 #include "tests/support/eventually.h"
+#include "tests/support/told.h"
 #include "tests/support/virtual_hid.h"
 
 #include <catch2/catch.hpp>
@@ -140,9 +141,7 @@ TEST_CASE("HID ability: interfaces that are none, forces and descriptors of no u
 TEST_CASE("HID ability: the best that may be opened is chosen") {
     MemoryBus bus;
     plug(bus, keyboard("/dev/hidraw0"));
-    const auto none = choose_hand(bus, "");
-    REQUIRE_FALSE(none);
-    CHECK(to_sentence(none.error()) ==
+    CHECK(refusal_of(choose_hand(bus, "")) ==
           "no SpaceMouse and no joystick is plugged in; plug one in; fulcrum devices lists what "
           "is there.");
     plug(bus, plain_stick("/dev/hidraw1"));
@@ -153,9 +152,7 @@ TEST_CASE("HID ability: the best that may be opened is chosen") {
     CHECK(choose_hand(bus, "")->path == "/dev/hidraw3");
     CHECK(choose_hand(bus, "/dev/hidraw1")->path == "/dev/hidraw1");
     CHECK_FALSE(choose_hand(bus, "/dev/hidraw9"));
-    const auto keys = choose_hand(bus, "/dev/hidraw0");
-    REQUIRE_FALSE(keys);
-    CHECK(to_sentence(keys.error()) ==
+    CHECK(refusal_of(choose_hand(bus, "/dev/hidraw0")) ==
           "/dev/hidraw0: Keyboard is no hand; fulcrum devices lists what can be used.");
 }
 
@@ -165,9 +162,7 @@ TEST_CASE("HID ability: without permission the rule is named, without a name the
     closed.may_open = false;
     plug(bus, closed);
     for (const char* const path : {"", "/dev/hidraw4"}) {
-        const auto refused = choose_hand(bus, path);
-        REQUIRE_FALSE(refused);
-        CHECK(to_sentence(refused.error()) ==
+        CHECK(refusal_of(choose_hand(bus, path)) ==
               "/dev/hidraw4: SpaceNavigator is there, but this user may not open it; add the line "
               "KERNEL==\"hidraw*\", KERNELS==\"*:046D:C626.*\", "
               "TAG+=\"uaccess\" to /etc/udev/rules.d/70-fulcrum.rules, then unplug it and plug it "

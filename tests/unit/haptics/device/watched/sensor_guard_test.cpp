@@ -2,12 +2,12 @@
 
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/math/split_mix.h"
+#include "tests/support/bad_numbers.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 using namespace fulcrum;
 
@@ -21,7 +21,7 @@ const Vector3 kPush(1.0, 0.0, 0.0);
 
 // When the first fault was told, in seconds from the beginning; infinity for never.
 struct Told {
-    double at_s = std::numeric_limits<double>::infinity();
+    double at_s = kInfinity;
     Fault fault = Fault::none;
 };
 Told watch(SensorGuard& guard, const std::function<Vector3(double)>& position,
@@ -197,11 +197,10 @@ TEST_CASE("sensor guard: after a jump it begins anew, and nothing of before coun
 }
 
 TEST_CASE("sensor guard: what is no number or not later is not counted") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     SensorGuard guard({0.05, 1.0, 300.0}, 0.0);
     for (int i = 0; i < 200; ++i) {
-        REQUIRE_FALSE(any(guard.step({nan, 0.0, 0.0}, 0.001 * i, kPush)));
-        REQUIRE_FALSE(any(guard.step({0.0, 0.0, 0.0}, nan, kPush)));
+        REQUIRE_FALSE(any(guard.step({kNan, 0.0, 0.0}, 0.001 * i, kPush)));
+        REQUIRE_FALSE(any(guard.step({0.0, 0.0, 0.0}, kNan, kPush)));
         REQUIRE_FALSE(any(guard.step({0.01 * (i % 2), 0.0, 0.0}, 1.0, kPush)));
     }
     CHECK(guard.turns() == 0.0);

@@ -5,6 +5,7 @@
 #include "haptics/device/hid/hid_hand.h"
 #include "tests/support/eventually.h"
 #include "tests/support/hid_socket.h"
+#include "tests/support/refused.h"
 #include "tests/support/scratch_folder.h"
 
 #include <catch2/catch.hpp>
@@ -166,9 +167,7 @@ TEST_CASE(
     const auto opened = desk.bus->open(desk.at("file"));
     REQUIRE_FALSE(opened);
     CHECK(opened.error().message == "this is no HID device");
-    const auto none = desk.bus->look(desk.at("none.hid"));
-    REQUIRE_FALSE(none);
-    CHECK(none.error().message.find("No such file") != std::string::npos);
+    CHECK(is_refused(desk.bus->look(desk.at("none.hid")), "No such file"));
 
     const HidSocket socket(desk.cap(), std::make_shared<QuietHid>());
     setenv("FULCRUM_HID_FORBIDDEN", "cap.hid", 1);
