@@ -4,6 +4,7 @@
 #include "haptics/point/plane_constraints.h"
 #include "haptics/point/virtual_proxy.h"
 #include "tests/stability/cases/stability_case.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/nearest_point.h"
 #include "tests/support/touchable.h"
@@ -29,15 +30,10 @@ Finding scale_scene() {
     const auto body = make_bumpy_sphere(1.0, 20, 0.03, 20.0);
     double worst = 0.0;
     for (const double scale : {1e-4, 1e-3, 0.1, 10.0, 1e3}) {
-        std::vector<Vector3> vertices = body->vertices_B();
-        for (Vector3& vertex : vertices) {
-            vertex *= scale;
-        }
         VirtualProxy here = make_ball(touchable(body), 0.02);
-        VirtualProxy there =
-            make_ball(touchable(TriangleMesh::build(std::move(vertices), body->triangles(),
-                                                    {.weld_relative = 0.0})),
-                      0.02 * scale);
+        const TriangleMesh scaled = test::move_corners(
+            *body, [&](const Vector3& v) { return Vector3(scale * v); }, {.weld_relative = 0.0});
+        VirtualProxy there = make_ball(touchable(scaled), 0.02 * scale);
         Wanderer wanderer(61);
         here.reset(Vector3(1.5, 0.0, 0.0));
         there.reset(scale * Vector3(1.5, 0.0, 0.0));

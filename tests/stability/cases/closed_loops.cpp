@@ -2,6 +2,7 @@
 #include "haptics/loop/haptic_loop.h"
 #include "tests/stability/cases/held_arm.h"
 #include "tests/stability/cases/stability_case.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/box_place.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/touchable.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <random>
 
@@ -75,8 +75,6 @@ Finding press_under_jitter() {
 // Readings that are none: no number, no unit, no way that a hand can go, at no time that is now.
 constexpr int kFirstLie = 1500;
 void lie(int k, DeviceReading& reading) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (k < kFirstLie || k % 500 > 60 || k % 3 == 1) {
         return;
     }

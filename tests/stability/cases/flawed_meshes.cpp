@@ -7,6 +7,7 @@
 #include "tests/stability/cases/stability_case.h"
 #include "tests/support/box_place.h"
 #include "tests/support/bumpy_ball.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/join_meshes.h"
 #include "tests/support/nearest_point.h"
@@ -215,14 +216,9 @@ Finding slide_over(int frequency, double radius) {
 Finding slide_along_groove(double opening_deg, double radius) {
     const double half_opening = 0.5 * opening_deg * std::numbers::pi / 180.0;
     const double slope = 0.5 * std::numbers::pi - half_opening;
-    const auto straight = make_trench(slope, 300);
     const Matrix3 askew = Random(22).turn(2.0).toRotationMatrix();
-    std::vector<Vector3> vertices = straight->vertices_B();
-    for (Vector3& vertex : vertices) {
-        vertex = askew * vertex;
-    }
-    const auto split =
-        make_t_junctions(*TriangleMesh::build(std::move(vertices), straight->triangles()));
+    const auto split = make_t_junctions(test::move_corners(
+        *make_trench(slope, 300), [&](const Vector3& v) { return Vector3(askew * v); }));
     const auto mesh = touchable(split);
     const auto proxy = make(mesh, radius);
     const double bottom = radius / std::sin(half_opening);

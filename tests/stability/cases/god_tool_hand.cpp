@@ -2,28 +2,19 @@
 // size, fast plates.
 #include "haptics/math/rotation.h"
 #include "tests/stability/cases/god_watch.h"
+#include "tests/support/bad_numbers.h"
+#include "tests/support/edited_meshes.h"
 #include "tests/support/wander.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace fulcrum::stability {
 namespace {
 
-TriangleMesh move_mesh(const TriangleMesh& mesh, const Vector3& by) {
-    std::vector<Vector3> vertices = mesh.vertices_B();
-    for (Vector3& v : vertices) {
-        v += by;
-    }
-    return TriangleMesh::build(std::move(vertices), mesh.triangles()).value();
-}
-
 // Of what a device may tell, the worst, while it presses on a block: no number, no turn, far too far, the same again, and somewhere else at once.
 Pose lie_about(const Pose& truth, int kind, Random& random) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Pose told = truth;
     switch (kind) {
         case 0:
@@ -130,7 +121,7 @@ Finding wander_with_god() {
     const TriangleMesh bar = make_box({0.1, 0.3, 1.0}).value();
     const double side_m = 0.5 * kGodCube_m + kGodGap_m;
     test::GodScene scene(make_god_cube(),
-                         {make_plate(1.0, 1.0, 7).value(), move_mesh(bar, {-0.05, 0.16, 0.0})},
+                         {make_plate(1.0, 1.0, 7).value(), test::shift(bar, {-0.05, 0.16, 0.0})},
                          of_god_cube());
     GodWatch watch(scene);
     const Vector3 corner(side_m, side_m, 0.0);

@@ -4,10 +4,10 @@
 // A plate is met where it comes no faster than it is found, by `within_m` a round of contact, here 1 mm a millisecond. What is faster may be
 // in the tool before it is known, and then pushes it out, as fast as planes rise, or passes through; the force keeps within its limits.
 #include "tests/stability/cases/penalty_watch.h"
+#include "tests/support/bad_numbers.h"
 #include "tests/support/wander.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace fulcrum::stability {
 namespace {
@@ -38,14 +38,13 @@ MovingFrame rub_at(double t_s) {
 
 // What a device may report in place of a hand.
 MovingFrame spoil(int kind, const MovingFrame& hand) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     MovingFrame spoiled = hand;
     switch (kind) {
         case 0:
             spoiled.pose_W.position.x() = kNan;
             break;
         case 1:
-            spoiled.velocity_W.angular.z() = std::numeric_limits<double>::infinity();
+            spoiled.velocity_W.angular.z() = kInfinity;
             break;
         case 2:
             spoiled.pose_W.orientation.coeffs().setConstant(kNan);
