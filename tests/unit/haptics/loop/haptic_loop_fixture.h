@@ -14,6 +14,33 @@
 
 namespace fulcrum {
 
+// A frictionless floor, as high as its solid.
+class FloorProxy final : public Proxy {
+  public:
+    void reset(const Vector3& hand_W) noexcept override {
+        contact_ = {};
+        contact_.position_W = hand_W;
+    }
+    void put_solid(std::size_t /*solid*/, const Pose& /*pose_W*/) noexcept override {}
+    const ProxyContact& step(const Vector3& hand_W,
+                             std::span<const Pose> poses_W) noexcept override {
+        reset(hand_W);
+        const double height_m = poses_W[0].position.y();
+        if (hand_W.y() < height_m) {
+            contact_.position_W.y() = height_m;
+            contact_.solid = 0;
+            contact_.n_constraints = 1;
+            contact_.normal_W = Vector3::UnitY();
+            contact_.touches[0] = {.solid = 0, .push_m = height_m - hand_W.y()};
+            contact_.touches[0].anchor_W = contact_.position_W;
+        }
+        return contact_;
+    }
+
+  private:
+    ProxyContact contact_;
+};
+
 // What a loop is given beside its plan and its device.
 struct BenchParts {
     std::unique_ptr<Proxy> proxy = nullptr;  // none: the one that the plan asks for

@@ -13,29 +13,6 @@ using namespace fulcrum;
 
 namespace {
 
-// A floor at height zero, frictionless.
-class FloorProxy final : public Proxy {
-  public:
-    void reset(const Vector3& hand_W) noexcept override {
-        contact_ = {};
-        contact_.position_W = hand_W;
-    }
-    void put_solid(std::size_t /*solid*/, const Pose& /*pose_W*/) noexcept override {}
-    const ProxyContact& step(const Vector3& hand_W,
-                             std::span<const Pose> poses_W) noexcept override {
-        const double height_m = poses_W[0].position.y();
-        const bool touches = hand_W.y() < height_m;
-        contact_ = {touches ? Vector3(hand_W.x(), height_m, hand_W.z()) : hand_W,
-                    touches ? 0 : kNoBody, touches ? 1 : 0,
-                    touches ? Vector3(0, 1, 0) : Vector3(Vector3::Zero())};
-        contact_.touches[0] = {.solid = 0, .push_m = std::max(height_m - hand_W.y(), 0.0)};
-        return contact_;
-    }
-
-  private:
-    ProxyContact contact_;
-};
-
 // A plan whose one solid is the floor.
 HapticPlan make_floor_plan(std::int32_t body = 0, double damping_Ns_per_m = 2.0) {
     HapticPlan plan;

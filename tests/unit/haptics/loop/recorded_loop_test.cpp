@@ -85,30 +85,6 @@ std::vector<std::byte> play_simulated() {
     return play(hand, &target);
 }
 
-// A floor at height zero that may be heard.
-class AudibleFloor final : public Proxy {
-  public:
-    void reset(const Vector3& hand_W) noexcept override { contact_.position_W = hand_W; }
-    void put_solid(std::size_t /*solid*/, const Pose& /*pose_W*/) noexcept override {}
-    const ProxyContact& step(const Vector3& hand_W,
-                             std::span<const Pose> /*poses_W*/) noexcept override {
-        contact_ = {};
-        contact_.position_W = hand_W.cwiseMax(Vector3(-1.0, 0.0, -1.0));
-        if (hand_W.y() < 0.0) {
-            contact_.solid = 0;
-            contact_.n_constraints = 1;
-            contact_.normal_W = Vector3::UnitY();
-            contact_.touches[0] = {.solid = 0, .feature = 0, .normal_W = Vector3::UnitY()};
-            contact_.touches[0].push_m = -hand_W.y();
-            contact_.touches[0].anchor_W = contact_.position_W;
-        }
-        return contact_;
-    }
-
-  private:
-    ProxyContact contact_;
-};
-
 HapticPlan make_audible_plan() {
     HapticPlan plan;
     plan.coupling = CouplingSettings{.stiffness_N_per_m = 400.0, .damping_Ns_per_m = 2.0};
@@ -124,7 +100,7 @@ struct Rings {
 };
 struct Listened : Rings, Bench {
     Listened(bool has_sound, bool has_recorder)
-        : Bench(make_audible_plan(), {.proxy = std::make_unique<AudibleFloor>(),
+        : Bench(make_audible_plan(), {.proxy = std::make_unique<FloorProxy>(),
                                       .record = has_recorder ? record.get() : nullptr,
                                       .touches = has_sound ? touches.get() : nullptr}) {}
     void step() {
