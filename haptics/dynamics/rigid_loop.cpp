@@ -34,6 +34,8 @@ void RigidLoop::step(double now_s) noexcept {
     if (due_s_ >= kShortestRigidStep_s) {
         take_pushes(now_s);
         world_->step(due_s_);
+        ++snapshot_.effort.n_steps;
+        snapshot_.effort.n_unconverged += world_->report().n_unconverged > 0 ? 1 : 0;
         find_touching();
         notice_landings(now_s, due_s_);
         frame_.rate = due_s_ / passed_s_;

@@ -149,11 +149,19 @@ struct BodyState {
 };
 
 /// World -> lesson and picture, newest value.
+/// What steps of a world of rigid bodies were short of, so far.
+struct WorldEffort {
+    std::uint64_t n_steps = 0;
+    std::uint64_t n_unconverged =
+        0;  ///< of them: an island's answer was not within the solver's tolerance
+};
+
 struct WorldSnapshot {
     double time_s = 0.0;
     std::int32_t n_bodies = 0;
     std::array<BodyState, kMaxBodies> bodies{};  ///< n_bodies of them, in the order of the scene
     Vector3 carried_force_W{Vector3::Zero()};    ///< felt weight in the tool
+    WorldEffort effort{};
 };
 
 }  // namespace fulcrum

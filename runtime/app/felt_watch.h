@@ -21,10 +21,13 @@ struct FeltRounds {
     std::uint64_t possible = 0;                       ///< in which a force can be felt
     std::uint64_t felt = 0;                           ///< of those
     std::array<std::uint64_t, kToolLacks> lacking{};  ///< steps of the tool, by ToolLack
+    WorldEffort world{};
     FeltRounds& operator+=(const FeltRounds& other) noexcept {
         all += other.all;
         possible += other.possible;
         felt += other.felt;
+        world.n_steps += other.world.n_steps;
+        world.n_unconverged += other.world.n_unconverged;
         for (std::size_t i = 0; i < kToolLacks; ++i) {
             lacking[i] += other.lacking[i];
         }
@@ -54,6 +57,7 @@ class FeltWatch {
             rounds_.lacking[i] += state.tool.lacks[i] ? 1 : 0;
         }
     }
+    void world_stepped(const WorldEffort& effort) noexcept { rounds_.world = effort; }
     [[nodiscard]] const FeltRounds& rounds() const noexcept { return rounds_; }
 
   private:

@@ -78,6 +78,7 @@ class VirtualClock {
             felt_->hands_stepped(run_.haptic_loop().state(), arm->force_N,
                                  arm->may_feel && (spoiler_ == nullptr || spoiler_->may_feel()),
                                  run_.sees_thing());
+            felt_->world_stepped(run_.world_effort());
         }
         ++tick_;
     }
@@ -163,7 +164,7 @@ class VirtualClock {
         if (world_is_due) {
             stages_->begin();
             run_.world_loop()->step(now_s());
-            stages_->passed_world();
+            stages_->passed_world(run_.world_effort());
         }
         if (kite_is_due) {
             stages_->begin();

@@ -291,6 +291,11 @@ const WorldSnapshot* LessonRun::newest_world() const {
     return is_there ? &world_channels_->snapshot.value() : nullptr;
 }
 
+WorldEffort LessonRun::world_effort() const {
+    const WorldSnapshot* const world = newest_world();
+    return world != nullptr ? world->effort : WorldEffort{};
+}
+
 const AxleFrame* LessonRun::newest_axles() const {
     return axles_ && axles_->frame.value().n_axles > 0 ? &axles_->frame.value() : nullptr;
 }

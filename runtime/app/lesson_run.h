@@ -110,6 +110,8 @@ class LessonRun {
     [[nodiscard]] std::optional<std::size_t> find_hand(HandKind kind) const;
     /// Whether a simulated person on whose arm things break sees anything to touch now.
     [[nodiscard]] bool sees_thing() const { return hand_->sees_thing(); }
+    /// As the lesson's last frame had it; nothing without a world of rigid bodies.
+    [[nodiscard]] WorldEffort world_effort() const;
     /// Whether any hand's device gives forces.
     [[nodiscard]] bool renders_force() const;
     /// Null when the plan has none.

@@ -22,6 +22,7 @@ std::vector<std::string> LessonRun::losses() const {
         tell(world_loop_->world().ignored_commands(),
              "commands to bodies were ignored: no such body, or no finite place.");
     }
+    tell(world_effort().n_unconverged, kUnconvergedWords);
     if (const auto link = hand_->link_status()) {
         constexpr double kMilli = 1.0e3;
         std::array<char, 240> text{};

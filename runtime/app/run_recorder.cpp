@@ -121,6 +121,7 @@ void RunRecorder::keep_body(double time_s, std::int32_t body, const BodyState& s
 
 void RunRecorder::keep_bodies(const SessionInput& input) {
     if (input.world != nullptr) {
+        keep_effort(input.time_s, input.world->effort);
         for (std::int32_t i = 0; i < input.world->n_bodies; ++i) {
             keep_body(input.time_s, i, input.world->bodies[static_cast<std::size_t>(i)]);
         }
@@ -130,6 +131,15 @@ void RunRecorder::keep_bodies(const SessionInput& input) {
         keep_body(input.time_s, n_bodies_ - 1,
                   {input.kite->report.pose_W, input.kite->report.velocity_W, BodyWhere::placed});
     }
+}
+
+void RunRecorder::keep_effort(double time_s, const WorldEffort& effort) {
+    if (effort.n_unconverged != world_effort_.n_unconverged) {
+        keep(time_s, RecordEventKind::cut, kNoBody,
+             std::to_string(effort.n_unconverged - world_effort_.n_unconverged) + " " +
+                 kUnconvergedWords);
+    }
+    world_effort_ = effort;
 }
 
 // A tool that must end its step in time says so when it leaves something out.

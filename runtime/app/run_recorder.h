@@ -87,6 +87,7 @@ class RunRecorder {
     void keep_bodies(const SessionInput& input);
     void keep_body(double time_s, std::int32_t body, const BodyState& state);
     void keep_effort(double time_s, const ToolEffort& effort);
+    void keep_effort(double time_s, const WorldEffort& effort);
     void keep_lateness(double time_s);
 
     std::vector<std::unique_ptr<Hand>> hands_;
@@ -97,6 +98,7 @@ class RunRecorder {
     // As it was told last.
     std::int32_t touched_ = kNoBody;
     ToolEffort effort_{};
+    WorldEffort world_effort_{};  // likewise
     const ContactLateness* lateness_ = nullptr;
     std::uint64_t n_late_ = 0;
     std::array<BodyState, kMaxBodies> bodies_{};

@@ -99,6 +99,11 @@ std::string SoakSum::find_lacking() const {
                 return lesson + " steps of the tool " + kToolLackWords[i];
             }
         }
+        if (rounds.all >= kJudgedRounds &&
+            static_cast<double>(rounds.world.n_unconverged) >
+                kMostLacking * static_cast<double>(rounds.world.n_steps)) {
+            return lesson + " " + kUnconvergedWords;
+        }
     }
     return {};
 }
@@ -163,6 +168,10 @@ std::string describe_soak(const SoakSum& sum, const SoakGrowth& growth) {
                         " steps of the tool " + kToolLackWords[i] + ".\n";
             }
         }
+        if (rounds.world.n_unconverged > 0) {
+            text += "In " + lesson + " " + std::to_string(rounds.world.n_unconverged) + " of " +
+                    std::to_string(rounds.world.n_steps) + " " + kUnconvergedWords + "\n";
+        }
     }
     return text + "Deadlines under the virtual clock: " + std::to_string(sum.n_deadlines) +
            " met.\n";
@@ -195,7 +204,7 @@ int conclude_soak(const SoakSum& sum, bool all, const SoakGrowth& growth) {
     if (const std::string lacking = sum.find_lacking(); !lacking.empty()) {
         return complain({"more than a fiftieth of the steps were short of something: in " + lacking,
                          {},
-                         "look for what the tool is caught in there, or give it other contacts"},
+                         "look for what the tool or the bodies are caught in there"},
                         1);
     }
     return sum.failed

@@ -109,9 +109,10 @@ void StageClock::ended_round() noexcept {
     began_s_ += monotonic_now_s() - round_began_s_;
 }
 
-void StageClock::passed_world() noexcept {
+void StageClock::passed_world(const WorldEffort& effort) noexcept {
     const double ended_s = monotonic_now_s();
     count(world_stage_, ended_s);
+    world_ = effort;
 }
 
 void StageClock::passed_kite() noexcept {
@@ -219,6 +220,12 @@ void StageClock::add_errors(StageFigures& figures) const {
     }
     if (is(HapticStage::tool)) {
         add_tool_errors(figures);
+    }
+    if (figures.stage == world_stage_ && world_.n_steps > 0) {
+        figures.errors.push_back({"steps that were not within the solver's tolerance",
+                                  static_cast<double>(world_.n_unconverged),
+                                  "of them",
+                                  {}});
     }
     if (figures.stage == contact_stage_) {
         add_contact_errors(figures);

@@ -36,7 +36,7 @@ class StageClock final : public StageListener, public RoundListener {
     /// The stages that end now are this hand's.
     void begins_hand(std::size_t hand) noexcept override { hand_ = hand; }
     /// What began last was a round of the world; it stands with the first of the world's stages.
-    void passed_world() noexcept;
+    void passed_world(const WorldEffort& effort) noexcept;
     void passed_kite() noexcept;
     /// What began last was a frame of the lesson.
     void passed_lesson() noexcept;
@@ -86,6 +86,7 @@ class StageClock final : public StageListener, public RoundListener {
     Sum velocity_error_m_per_s_;
     Sum withheld_N_;
     FeltTime felt_time_;
+    WorldEffort world_{};
     std::optional<Vector3> first_place_W_;
     bool hand_moved_ = false;
     PortEnergy force_energy_{};

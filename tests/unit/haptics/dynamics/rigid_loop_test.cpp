@@ -354,5 +354,24 @@ TEST_CASE("rigid loop: a slow step tells how much of the time it kept; bad plans
                                      [](P& plan) { plan.world.bodies[1].mass_kg = -1.0; }});
 }
 
+TEST_CASE("rigid loop: steps that the solver left outside its tolerance are told to the lesson") {
+    RigidLoopPlan plan = make_two_cubes();
+    plan.world.settings.solver.method = ContactMethod::iterative;
+    plan.world.settings.solver.max_iterations = 1;
+    CubesLoop cubes(plan);
+    std::uint64_t n_unconverged = 0;
+    constexpr std::uint64_t kSteps = 200;
+    cubes.order(WorldCommand::Kind::drop, 3, {0.48, 0.3, 0.01}, {0.0, -3.0, 0.5});
+    for (std::uint64_t i = 0; i < kSteps; ++i) {
+        cubes.run(1.0e-3);
+        n_unconverged += cubes.loop->world().report().n_unconverged > 0 ? 1 : 0;
+    }
+    cubes.lesson->snapshot.take();
+    const WorldEffort& told = cubes.lesson->snapshot.value().effort;
+    CHECK(n_unconverged > 0);
+    CHECK(told.n_unconverged == n_unconverged);
+    CHECK(told.n_steps == kSteps);
+}
+
 }  // namespace
 }  // namespace fulcrum

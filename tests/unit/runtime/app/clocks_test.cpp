@@ -57,7 +57,7 @@ TEST_CASE("stage clock: each call is counted for its own stage, what is not in t
         clock.passed(HapticStage::proxy);  // not in this plan
         clock.passed(HapticStage::estimate);
         clock.begin();
-        clock.passed_world();
+        clock.passed_world({.n_steps = 500, .n_unconverged = 3});
     }
     clock.begin();
     clock.passed_lesson();
@@ -68,6 +68,8 @@ TEST_CASE("stage clock: each call is counted for its own stage, what is not in t
     CHECK(find(analysis, 0)->calls == 5);
     CHECK(find(analysis, 1)->calls == 5);
     CHECK(find(analysis, 4)->calls == 5);
+    REQUIRE(find(analysis, 4)->errors.size() == 1);
+    CHECK(find(analysis, 4)->errors[0].value == 3.0);
     CHECK(find(analysis, 5) == nullptr);
     CHECK(find(analysis, 6)->calls == 1);
 }

@@ -35,6 +35,11 @@ TEST_CASE("soak: a lesson whose tool's steps are short of something is named, an
     CHECK(sum.find_lacking().find("not settled") != std::string::npos);
     CHECK(conclude_soak(sum, false, {}) == 1);
     run.felt.lacking = {2400, 2399, 0, 0};
+    run.felt.world = {.n_steps = 50'000, .n_unconverged = 1001};
+    CHECK(describe_soak(sum_of(run), {}).find("1001 of 50000 steps of the world ended before") !=
+          std::string::npos);
+    CHECK(sum_of(run).find_lacking().find("of the world") != std::string::npos);
+    run.felt.world.n_unconverged = 1000;
     CHECK(sum_of(run).find_lacking().empty());
     CHECK(conclude_soak(sum_of(run), false, {}) == 0);
 }
