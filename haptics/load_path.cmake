@@ -11,7 +11,7 @@ set(haptics_load_path
     filtered_collapse.cpp contact_levels_build.cpp level_bytes.cpp level_draft.cpp level_pairs_build.cpp
     self_intersection.cpp axle_settings.cpp mesh_inertia.cpp shape_inertia.cpp joint_settings.cpp rigid_world_build.cpp
     rigid_loop_build.cpp body_stage_build.cpp axle_stage_build.cpp solid_places_build.cpp tool_stage_build.cpp tool_plan.cpp
-    step_limit.cpp make_proxy.cpp make_obstacle.cpp solid_shape.cpp voxelise.cpp voxmap.cpp pointshell.cpp
+    step_limit.cpp make_proxy.cpp make_obstacle.cpp mixed_solid_build.cpp solid_shape.cpp voxelise.cpp voxmap.cpp pointshell.cpp
     surface_samples.cpp sampled_shape_build.cpp voxel_sampling_build.cpp voxel_tool_build.cpp record_header.cpp
     record_hand.cpp stand_in_device_build.cpp recorded_traits.cpp record_layout.cpp record_reader.cpp record_writer.cpp
     friction.cpp texture_settings.cpp transient_settings.cpp surface_plan.cpp material.cpp materials.cpp relief.cpp

@@ -23,7 +23,9 @@ bool is_usable(const Vector3& hand_W) noexcept {
 
 }  // namespace
 
-GodObject::GodObject(const std::vector<SolidPlan>& solids, SegmentStructureKind structure) {
+template <class Solid>
+GodObjectAmong<Solid>::GodObjectAmong(const std::vector<SolidPlan>& solids,
+                                      SegmentStructureKind structure) {
     solids_.reserve(solids.size());
     near_.resize(solids.size());
     for (const SolidPlan& solid : solids) {
@@ -32,7 +34,8 @@ GodObject::GodObject(const std::vector<SolidPlan>& solids, SegmentStructureKind 
     reset(Vector3::Zero());
 }
 
-void GodObject::reset(const Vector3& hand_W) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::reset(const Vector3& hand_W) noexcept {
     if (!is_usable(hand_W)) {
         return;
     }
@@ -40,14 +43,15 @@ void GodObject::reset(const Vector3& hand_W) noexcept {
     n_known_ = 0;
     goal_W_ = hand_W;
     accept(hand_W);
-    for (MovingSolid& solid : solids_) {
+    for (Solid& solid : solids_) {
         start_in(solid, hand_W, hand_W);
     }
     leave_surface();
     publish(proxy_W_);
 }
 
-void GodObject::put_solid(std::size_t solid, const Pose& pose_W) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::put_solid(std::size_t solid, const Pose& pose_W) noexcept {
     if (solid < solids_.size()) {
         put_at_once(solids_[solid], pose_W, proxy_W_, goal_W_, static_cast<std::int32_t>(solid),
                     planes_);
@@ -55,7 +59,8 @@ void GodObject::put_solid(std::size_t solid, const Pose& pose_W) noexcept {
     }
 }
 
-const ProxyContact& GodObject::follow(const Vector3& goal_W) noexcept {
+template <class Solid>
+const ProxyContact& GodObjectAmong<Solid>::follow(const Vector3& goal_W) noexcept {
     if (!is_usable(goal_W)) {
         return contact_;
     }
@@ -68,7 +73,8 @@ const ProxyContact& GodObject::follow(const Vector3& goal_W) noexcept {
     return contact_;
 }
 
-void GodObject::look_ahead() noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::look_ahead() noexcept {
     if (planes_.count == 0 || n_sweeps_ > kFewSweeps) {
         return;
     }
@@ -77,7 +83,8 @@ void GodObject::look_ahead() noexcept {
     }
 }
 
-void GodObject::find_near_solids(const Vector3& goal_W) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::find_near_solids(const Vector3& goal_W) noexcept {
     // The distance to the hand never grows, so all that follows happens in this ball.
     const double radius_m = compute_length(Vector3(proxy_W_ - goal_W));
     n_near_ = 0;
@@ -88,7 +95,9 @@ void GodObject::find_near_solids(const Vector3& goal_W) noexcept {
     }
 }
 
-void GodObject::follow_goal(const Vector3& goal_W) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::follow_goal(const Vector3& goal_W) noexcept {
+    (void)renew_planes();
     while (n_sweeps_ < kMaxSweeps) {
         const Vector3 way = constrain(goal_W - proxy_W_, proxy_W_, planes_);
         const Advance advanced = advance(planes_.count == 0 ? goal_W : proxy_W_ + way);
@@ -104,13 +113,17 @@ void GodObject::follow_goal(const Vector3& goal_W) noexcept {
 }
 
 // Where to go from `from_W` to be as near to the wish as the planes allow; keeps the planes that push.
-Vector3 GodObject::constrain(const Vector3& wish, const Vector3& from_W, Planes& planes) noexcept {
+template <class Solid>
+Vector3 GodObjectAmong<Solid>::constrain(const Vector3& wish, const Vector3& from_W,
+                                         Planes& planes) noexcept {
     return planes.constrain(wish, kSlack,
                             [&](const TouchedPlane& plane) { return plane.height_m(from_W); });
 }
 
 // Moves towards the target, up to the first triangle.
-GodObject::Advance GodObject::advance(const Vector3& target_W) noexcept {
+template <class Solid>
+typename GodObjectAmong<Solid>::Advance GodObjectAmong<Solid>::advance(
+    const Vector3& target_W) noexcept {
     const double least_m = planes_.count == 0 ? 0.0 : kNoMotion * planes_.plane[0].clearance_m;
     const Vector3 way = target_W - proxy_W_;
     if (largest_component(way) <= least_m) {
@@ -138,11 +151,13 @@ GodObject::Advance GodObject::advance(const Vector3& target_W) noexcept {
     return result;
 }
 
-GodObject::Blocker GodObject::sweep_all(const Vector3& to_W) noexcept {
+template <class Solid>
+typename GodObjectAmong<Solid>::Blocker GodObjectAmong<Solid>::sweep_all(
+    const Vector3& to_W) noexcept {
     Blocker nearest;
     ++n_sweeps_;
     for (const std::int32_t index : near_solids()) {
-        MovingSolid& solid = solids_[static_cast<std::size_t>(index)];
+        Solid& solid = solids_[static_cast<std::size_t>(index)];
         const SegmentHit hit =
             planes_.count > 0 ? solid.sweep_nearby(to_W, reach_m_) : solid.sweep(to_W);
         if (hit.found() && hit.t < nearest.hit.t) {
@@ -152,15 +167,33 @@ GodObject::Blocker GodObject::sweep_all(const Vector3& to_W) noexcept {
     return nearest;
 }
 
-void GodObject::move_to(const Vector3& proxy_W) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::move_to(const Vector3& proxy_W) noexcept {
     proxy_W_ = proxy_W;
     for (const std::int32_t index : near_solids()) {
         solids_[static_cast<std::size_t>(index)].put_proxy(proxy_W);
     }
 }
 
+// Planes of bent solids anew where the proxy is; true when it must come nearer to one of them.
+template <class Solid>
+bool GodObjectAmong<Solid>::renew_planes() noexcept {
+    bool any = false;
+    if constexpr (Solid::kBends) {
+        for (std::size_t i = 0; i < planes_.count; ++i) {
+            TouchedPlane& plane = planes_.plane[i];
+            any = solids_[static_cast<std::size_t>(plane.solid)].renew(plane) || any;
+        }
+    }
+    return any;
+}
+
 // At rest: does each plane that pushes belong to a triangle right under the proxy? Otherwise try without it.
-bool GodObject::find_way_on(const Vector3& goal_W) noexcept {
+template <class Solid>
+bool GodObjectAmong<Solid>::find_way_on(const Vector3& goal_W) noexcept {
+    if (renew_planes()) {
+        return true;
+    }
     const unsigned all = (1U << planes_.count) - 1U;
     unsigned under = 0;
     for (std::size_t i = 0; i < planes_.count; ++i) {
@@ -183,7 +216,8 @@ bool GodObject::find_way_on(const Vector3& goal_W) noexcept {
 }
 
 // Moves as far as the kept planes alone allow. True when that gained something: a way, or a triangle not yet known.
-bool GodObject::try_without(const Vector3& goal_W, unsigned kept) noexcept {
+template <class Solid>
+bool GodObjectAmong<Solid>::try_without(const Vector3& goal_W, unsigned kept) noexcept {
     if (n_sweeps_ >= kMaxSweeps) {
         return false;
     }
@@ -208,38 +242,46 @@ bool GodObject::try_without(const Vector3& goal_W, unsigned kept) noexcept {
     return true;
 }
 
-bool GodObject::contains(const Planes& planes, const TouchedPlane& other) noexcept {
+template <class Solid>
+bool GodObjectAmong<Solid>::contains(const Planes& planes, const TouchedPlane& other) noexcept {
     return std::ranges::any_of(planes.all(), [&other](const TouchedPlane& mine) {
         return mine.solid == other.solid && mine.feature == other.feature;
     });
 }
 
-bool GodObject::is_known(const TouchedPlane& plane) const noexcept {
+template <class Solid>
+bool GodObjectAmong<Solid>::is_known(const TouchedPlane& plane) const noexcept {
     return std::any_of(known_.begin(), known_.begin() + static_cast<std::ptrdiff_t>(n_known_),
                        [&plane](const KnownTriangle& known) {
                            return known.solid == plane.solid && known.triangle == plane.feature;
                        });
 }
 
-void GodObject::remember(const TouchedPlane& plane) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::remember(const TouchedPlane& plane) noexcept {
     if (n_known_ < kMaxKnown && !is_known(plane)) {
         known_[n_known_++] = {plane.solid, plane.feature};
     }
 }
 
-void GodObject::publish(const Vector3& goal_W) noexcept {
-    for (MovingSolid& solid : solids_) {
+template <class Solid>
+void GodObjectAmong<Solid>::publish(const Vector3& goal_W) noexcept {
+    for (Solid& solid : solids_) {
         solid.put_proxy(proxy_W_);
     }
     planes_.tell_contact(proxy_W_, goal_W, contact_);
 }
 
-std::uint64_t GodObject::n_searches() const noexcept {
+template <class Solid>
+std::uint64_t GodObjectAmong<Solid>::n_searches() const noexcept {
     std::uint64_t n = 0;
-    for (const MovingSolid& solid : solids_) {
+    for (const Solid& solid : solids_) {
         n += solid.n_searches();
     }
     return n;
 }
+
+template class GodObjectAmong<MovingSolid>;
+template class GodObjectAmong<MixedSolid>;
 
 }  // namespace fulcrum

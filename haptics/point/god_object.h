@@ -12,12 +12,15 @@
 //    that close on it the proxy is pushed out sideways. If there is no way out it lets one solid pass and counts that.
 // Both faces of a triangle are solid. A proxy that starts inside a body is held inside, unless that lets out (let_through.h). A pose
 // that jumps is a motion too: `put_solid` and `reset` forgive it. All lengths are relative to the solid's size.
+// Among solids that are shapes too (mixed_solid.h) a shape has the plane that touches it under the proxy, taken anew until the proxy lies
+// on it: what such a plane leaves of the error shrinks by depth over the radius of curvature a round.
 //
 // Thread: haptic loop. Cost: bounded sweeps a step, each O(log n) at worst; no allocation, noexcept.
 // Source: C. B. Zilles, J. K. Salisbury 1995, A constraint-based god-object method for haptic display, IROS.
 #pragma once
 
 #include "haptics/point/held_planes.h"
+#include "haptics/point/mixed_solid.h"
 #include "haptics/point/moving_solid.h"
 #include "haptics/point/proxy.h"
 
@@ -28,14 +31,16 @@
 
 namespace fulcrum {
 
-class GodObject final : public SurfaceObject {
+/// Solid is a MovingSolid where all are made of triangles, else a MixedSolid.
+template <class Solid>
+class GodObjectAmong final : public SurfaceObject {
   public:
     /// Farthest coordinate of a hand that is followed, metres; one beyond is ignored like NaN.
     static constexpr double kFarthest_m = 1.0e30;
 
     /// Takes solids that `validate` accepted; the proxy starts at the origin, `reset` puts it on the hand.
-    explicit GodObject(const std::vector<SolidPlan>& solids,
-                       SegmentStructureKind structure = SegmentStructureKind::bounding_tree);
+    explicit GodObjectAmong(const std::vector<SolidPlan>& solids,
+                            SegmentStructureKind structure = SegmentStructureKind::bounding_tree);
 
     void reset(const Vector3& hand_W) noexcept override;
     void put_solid(std::size_t solid, const Pose& pose_W) noexcept override;
@@ -74,7 +79,7 @@ class GodObject final : public SurfaceObject {
     // Motion of the solids (god_object_solids.cpp).
     void follow_touched() noexcept;
     [[nodiscard]] bool place_between(const Vector3& wish_W, const Blocker& first) noexcept;
-    [[nodiscard]] Blocker find_blocker(const Vector3& to_W) const noexcept;
+    [[nodiscard]] Blocker find_blocker(const Vector3& to_W) noexcept;
     void accept(const Vector3& proxy_W) noexcept;
     void leave_surface() noexcept;
 
@@ -85,6 +90,7 @@ class GodObject final : public SurfaceObject {
     }
     void follow_goal(const Vector3& goal_W) noexcept;
     void look_ahead() noexcept;
+    [[nodiscard]] bool renew_planes() noexcept;
     [[nodiscard]] bool find_way_on(const Vector3& goal_W) noexcept;
     [[nodiscard]] bool try_without(const Vector3& goal_W, unsigned kept) noexcept;
     [[nodiscard]] static Vector3 constrain(const Vector3& wish, const Vector3& from_W,
@@ -97,7 +103,7 @@ class GodObject final : public SurfaceObject {
     void remember(const TouchedPlane& plane) noexcept;
     void publish(const Vector3& goal_W) noexcept;
 
-    std::vector<MovingSolid> solids_;
+    std::vector<Solid> solids_;
     // Solids that the hand's motion can reach in this step: the first n_near_ entries.
     std::vector<std::int32_t> near_;
     std::size_t n_near_ = 0;
@@ -111,5 +117,7 @@ class GodObject final : public SurfaceObject {
     std::uint64_t n_squeezed_ = 0;
     ProxyContact contact_;
 };
+
+using GodObject = GodObjectAmong<MovingSolid>;
 
 }  // namespace fulcrum

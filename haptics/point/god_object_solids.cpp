@@ -12,7 +12,8 @@ constexpr int kMaxPushes = 8;  // planes met on the way out from between solids
 
 }  // namespace
 
-void GodObject::carry(std::span<const Pose> solid_poses_W) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::carry(std::span<const Pose> solid_poses_W) noexcept {
     n_known_ = 0;
     n_sweeps_ = 0;
     leave_solids(std::span(solids_), proxy_W_, goal_W_);
@@ -25,7 +26,7 @@ void GodObject::carry(std::span<const Pose> solid_poses_W) noexcept {
     if (any_moved) {
         for (std::size_t i = 0; i < planes_.count; ++i) {
             TouchedPlane& plane = planes_.plane[i];
-            const MovingSolid& solid = solids_[static_cast<std::size_t>(plane.solid)];
+            const Solid& solid = solids_[static_cast<std::size_t>(plane.solid)];
             plane = solid.find_plane(plane.feature, plane.side);
             if (i < kMaxTouches) {
                 anchors_W[i] = solid.carried_proxy_W();
@@ -37,7 +38,8 @@ void GodObject::carry(std::span<const Pose> solid_poses_W) noexcept {
 }
 
 // With the touched solid, or where it was; else wherever there is room.
-void GodObject::follow_touched() noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::follow_touched() noexcept {
     const Vector3 wish_W = find_carried_wish(solids_, contact_.solid, proxy_W_);
     Blocker blocker;
     // The wish, then standing still, then going with each solid that is in the way.
@@ -54,7 +56,8 @@ void GodObject::follow_touched() noexcept {
 }
 
 // Out of the way of all: the point nearest to the wish in front of every plane met so far, until nothing is met.
-bool GodObject::place_between(const Vector3& wish_W, const Blocker& first) noexcept {
+template <class Solid>
+bool GodObjectAmong<Solid>::place_between(const Vector3& wish_W, const Blocker& first) noexcept {
     Planes planes = planes_;
     Blocker blocker = first;
     for (int push = 0; push < kMaxPushes && planes.count < kMaxPlanes; ++push) {
@@ -70,7 +73,9 @@ bool GodObject::place_between(const Vector3& wish_W, const Blocker& first) noexc
     return false;
 }
 
-GodObject::Blocker GodObject::find_blocker(const Vector3& to_W) const noexcept {
+template <class Solid>
+typename GodObjectAmong<Solid>::Blocker GodObjectAmong<Solid>::find_blocker(
+    const Vector3& to_W) noexcept {
     for (std::size_t i = 0; i < solids_.size(); ++i) {
         const SegmentHit hit = solids_[i].lets_through() ? SegmentHit{} : solids_[i].sweep(to_W);
         if (hit.found()) {
@@ -80,15 +85,17 @@ GodObject::Blocker GodObject::find_blocker(const Vector3& to_W) const noexcept {
     return {};
 }
 
-void GodObject::accept(const Vector3& proxy_W) noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::accept(const Vector3& proxy_W) noexcept {
     proxy_W_ = proxy_W;
-    for (MovingSolid& solid : solids_) {
+    for (Solid& solid : solids_) {
         solid.put_proxy(proxy_W);
     }
 }
 
 // A start exactly in a surface has no side: it gets the front's, or whichever is free.
-void GodObject::leave_surface() noexcept {
+template <class Solid>
+void GodObjectAmong<Solid>::leave_surface() noexcept {
     const auto find_touching = [this]() noexcept -> Blocker {
         for (std::size_t i = 0; i < solids_.size(); ++i) {
             const SegmentHit hit =
@@ -113,5 +120,8 @@ void GodObject::leave_surface() noexcept {
         }
     }
 }
+
+template class GodObjectAmong<MovingSolid>;
+template class GodObjectAmong<MixedSolid>;
 
 }  // namespace fulcrum

@@ -105,10 +105,11 @@ void HeldPlanes<Plane>::tell_touches(const Vector3& proxy_W, ProxyContact& conta
     }
 }
 
+// Inline: compiled into each god-object's step, though two use it.
 template <class Plane>
-void HeldPlanes<Plane>::tell_carried(const Vector3& proxy_W,
-                                     const std::array<Vector3, kMaxTouches>& anchors_W,
-                                     ProxyContact& contact) noexcept {
+inline void HeldPlanes<Plane>::tell_carried(const Vector3& proxy_W,
+                                            const std::array<Vector3, kMaxTouches>& anchors_W,
+                                            ProxyContact& contact) noexcept {
     push_m.fill(0.0);
     tell_touches(proxy_W, contact);
     for (std::size_t i = 0; i < contact.active().size(); ++i) {

@@ -85,15 +85,20 @@ Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& shape)
     return {};
 }
 
+MovingObstacle make_moving_obstacle(const CursorShape& cursor, const SolidPlan& solid,
+                                    std::int32_t index) {
+    const auto* mesh = find_mesh(solid.shape);
+    return {make_obstacle(cursor, solid.shape), index, solid.initial_pose_W, solid.lets_out,
+            mesh != nullptr ? *mesh : nullptr};
+}
+
 std::vector<MovingObstacle> make_obstacles(const CursorShape& cursor,
                                            const std::vector<SolidPlan>& solids) {
     std::vector<MovingObstacle> obstacles;
     obstacles.reserve(solids.size());
     for (const SolidPlan& solid : solids) {
-        const auto* mesh = find_mesh(solid.shape);
-        obstacles.emplace_back(make_obstacle(cursor, solid.shape),
-                               static_cast<std::int32_t>(obstacles.size()), solid.initial_pose_W,
-                               solid.lets_out, mesh != nullptr ? *mesh : nullptr);
+        obstacles.push_back(
+            make_moving_obstacle(cursor, solid, static_cast<std::int32_t>(obstacles.size())));
     }
     return obstacles;
 }

@@ -20,7 +20,11 @@ namespace fulcrum {
 /// Refuses what no obstacle is there for.
 [[nodiscard]] Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& shape);
 
-/// One for each solid, in the plan's order, of what `validate_pair` accepted.
+/// Of a solid that is the plan's `index`th, of what `validate_pair` accepted.
+[[nodiscard]] MovingObstacle make_moving_obstacle(const CursorShape& cursor, const SolidPlan& solid,
+                                                  std::int32_t index);
+
+/// One for each solid, in the plan's order.
 [[nodiscard]] std::vector<MovingObstacle> make_obstacles(const CursorShape& cursor,
                                                          const std::vector<SolidPlan>& solids);
 

@@ -49,10 +49,16 @@ Expected<void> check_solid(const SolidPlan& solid, const CursorShape& cursor) {
 
 std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& settings,
                                                    const std::vector<SolidPlan>& solids) {
-    const bool all_meshes = std::ranges::all_of(
+    const auto n_meshes = std::ranges::count_if(
         solids, [](const SolidPlan& solid) { return find_mesh(solid.shape) != nullptr; });
-    if (is_point(settings) && all_meshes) {
+    const bool any_function = std::ranges::any_of(solids, [](const SolidPlan& solid) {
+        return std::holds_alternative<DistanceShape>(solid.shape);
+    });
+    if (is_point(settings) && n_meshes == std::ssize(solids)) {
         return std::make_unique<GodObject>(solids, settings.structure);
+    }
+    if (is_point(settings) && n_meshes > 0 && !any_function) {
+        return std::make_unique<GodObjectAmong<MixedSolid>>(solids, settings.structure);
     }
     return std::make_unique<VirtualProxy>(make_obstacles(settings.cursor, solids));
 }

@@ -32,6 +32,8 @@ struct TouchedPlane {
 
 class MovingSolid : public ProxyFrame {
   public:
+    static constexpr bool kBends = false;  ///< its planes stay as they are while the proxy slides
+
     /// `index` is the solid's place in the plan. The shape must be made of triangles.
     MovingSolid(const SolidPlan& plan, std::int32_t index,
                 SegmentStructureKind structure = SegmentStructureKind::bounding_tree);

@@ -23,12 +23,9 @@ ProxySettings proxy_settings(const HandDescription& hand, const std::vector<Soli
         std::ranges::any_of(solids, [](const SolidPlan& solid) { return solid.friction.any(); });
     const bool is_point = std::holds_alternative<std::monostate>(hand.cursor);
     const bool is_ball = std::holds_alternative<SphereShape>(hand.cursor);
-    const bool has_shapes = std::ranges::any_of(
-        solids, [](const SolidPlan& solid) { return find_mesh(solid.shape) == nullptr; });
-    proxy.kind = has_friction || (!is_point && !is_ball) || (is_point && has_shapes)
-                     ? ProxyKind::friction_cone
-                 : is_ball ? ProxyKind::virtual_proxy
-                           : ProxyKind::god_object;
+    proxy.kind = has_friction || (!is_point && !is_ball) ? ProxyKind::friction_cone
+                 : is_ball                               ? ProxyKind::virtual_proxy
+                                                         : ProxyKind::god_object;
     proxy.kind = hand.proxy.value_or(proxy.kind);
     return proxy;
 }
@@ -53,14 +50,11 @@ Expected<void> check_in_hand(const SolidPlan& solid, const MaterialDescription& 
     return {};
 }
 
-/// Balls are felt by their formula, for their meshes would be felt as facets: where all that is solid is a ball, so that meshes keep
-/// the god-object, which is made for them, and where the lesson has chosen no proxy, nor a tool.
-bool feels_balls(const LessonDescription& lesson) {
-    return !lesson.hand.tool && !lesson.hand.proxy &&
-           std::ranges::all_of(lesson.bodies, [](const BodyDescription& body) {
-               return !body.solid ||
-                      (is_ball_model(as_felt(body).model) && as_felt(body).boxes.empty());
-           });
+/// A ball is felt by its formula, for its mesh would be felt as facets. The mesh of a box is the box itself. Tools are made for meshes.
+SolidShape felt_shape(const BodyDescription& body, const HandDescription& hand,
+                      const MeshShape& mesh) {
+    const bool is_ball = is_ball_model(body.model) && body.boxes.empty() && !hand.tool;
+    return is_ball ? SolidShape(SphereShape{body.radius_m}) : SolidShape(mesh);
 }
 
 /// How far from the axis a hand may press it.
@@ -116,7 +110,6 @@ Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
 
 Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& load_solid,
                           const std::vector<Material>& materials, bool audible, HapticPlan& plan) {
-    const bool as_balls = feels_balls(lesson);
     for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
         const BodyDescription& body = lesson.bodies[i];
         if (!body.solid) {
@@ -130,8 +123,7 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
         if (!mesh) {
             return tl::unexpected(mesh.error());
         }
-        SolidPlan solid{static_cast<std::int32_t>(i),
-                        as_balls ? SolidShape(SphereShape{body.radius_m}) : SolidShape(*mesh),
+        SolidPlan solid{static_cast<std::int32_t>(i), felt_shape(as_felt(body), lesson.hand, *mesh),
                         Pose::at(body.position_W)};
         solid.lets_out = true;
         solid.surface.shading.on = body.rounded;

@@ -5,7 +5,7 @@ if(FULCRUM_SANITIZE)
 endif()
 # Behind "=": functions that only load and stand in a file with others.
 set(load_functions
-    "virtual_coupling.cpp=validate" "push_trial.cpp=validate" "hands_loop.cpp=HandsLoop::~HandsLoop" "god_object.cpp=GodObject::~?GodObject|validate"
+    "virtual_coupling.cpp=validate" "push_trial.cpp=validate" "hands_loop.cpp=HandsLoop::~HandsLoop" "god_object.cpp=GodObjectAmong<[^>]*>::~?GodObjectAmong|validate" "god_object_solids.cpp=GodObjectAmong<[^>]*>::~"
     "moving_solid.cpp=MovingSolid::MovingSolid|bad_expected_access|expected_storage_base|Error::Error" "segment_structure.cpp=make_segment_structure|expected_storage_base|Structure::~|BruteForce::~"
     "h_collide.cpp=HCollide::(list_entries|plant|create|~?HCollide)|validate" "hash_grid.cpp=HashGrid::(reserve|HashGrid)" "obb_tree.cpp=ObbForest::(add|shrink)"
     "worker_pool.cpp=WorkerPool::~?WorkerPool|jthread" "broad_phase.cpp=BroadPhase::BroadPhase|BoundedList" "island_solver.cpp=IslandSolver::IslandSolver|BoundedList|ContactProblem::~|ContactSolver::~|ImpactSolver::~|in_rounds|_Vector_base<double" "impact.cpp=ImpactSolver::~?ImpactSolver|ContactProblem::~|BodyMotion::~?BodyMotion" "islands.cpp=Groups::Groups|Islands::Islands|BoundedList" "contact_pairs.cpp=ContactPairs::ContactPairs|BoundedList" "contact_shape.cpp=make_contact_shape|make_faces|find_hull_round|find_corners_in_plane|KindOf|HullFaces|ContactShape|expected_storage_base|Error::|bad_expected_access"
