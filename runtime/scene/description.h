@@ -39,9 +39,9 @@ struct MaterialDescription {
     SourceLine line = 0;
 };
 
-/// What a body collides as among rigid ones; `model`: as its model is, a ball, a box, or the hull of one from a file; `mesh`: its closed mesh itself,
-/// with its hollows.
-enum class RigidShape : std::uint8_t { model, box, ball, cylinder, capsule, hull, mesh };
+/// What is made of a body's model. Among rigid bodies `model` is a ball, a box, or the hull of one from a file, and for the hand a ball, or the mesh;
+/// `mesh`: the closed mesh itself, with its hollows.
+enum class BodyShape : std::uint8_t { model, box, ball, cylinder, capsule, hull, mesh };
 /// A joint's end that is farther than this is none; degrees are radians here.
 inline constexpr double kAnyTravel = 1.0e9;
 
@@ -91,9 +91,10 @@ struct BodyDescription {
     std::string about{};              ///< what is said when it is first touched; may be empty
     std::vector<PlacedBox> boxes{};   ///< that it is made of instead of one, with the model "box"
     // Three shapes in one frame: `model` is seen, these are felt by the hand and simulated among rigid bodies.
-    std::string felt_model{};                    ///< empty: as it is seen
-    std::string simulated_model{};               ///< empty: as it is felt
-    RigidShape collides_as = RigidShape::model;  ///< what is made of the simulated one
+    std::string felt_model{};                  ///< empty: as it is seen
+    std::string simulated_model{};             ///< empty: as it is felt
+    BodyShape felt_as = BodyShape::model;      ///< what is made of the felt one
+    BodyShape collides_as = BodyShape::model;  ///< what is made of the simulated one
     bool rounded = false;  ///< its facets are felt as one even surface, as far as its creases
 };
 

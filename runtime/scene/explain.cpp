@@ -1,5 +1,6 @@
 #include "runtime/scene/explain.h"
 
+#include "runtime/scene/body_shape.h"
 #include "runtime/scene/plan_tool.h"
 
 #include <algorithm>
@@ -55,6 +56,19 @@ std::string materials_table(const LessonDescription& lesson, const Plan& plan) {
     return "\nWhat a hand finds out, from 0 to 1, and what it is called:\n" + (head.data() + text);
 }
 
+/// What is not felt as triangles.
+std::string formulas_text(const LessonDescription& lesson, const Plan& plan) {
+    std::string text;
+    for (const SolidPlan& solid : plan.haptic.solids) {
+        if (const std::string_view name = name_of_formula(solid.shape); !name.empty()) {
+            text += (text.empty() ? "\nFelt by their formula, without facets: " : "; ") +
+                    lesson.bodies[static_cast<std::size_t>(solid.body)].name + ", a " +
+                    std::string(name);
+        }
+    }
+    return text.empty() ? text : text + ".\n";
+}
+
 std::string notices_text(const Plan& plan) {
     std::string text;
     for (const std::string& notice : plan.notices) {
@@ -105,7 +119,8 @@ std::string explain(const LessonDescription& lesson, const Plan& plan) {
                     stage.because);
     }
     text += "\nWhat is not in this list is not built.\n";
-    return text + tool_table(lesson, plan) + materials_table(lesson, plan) + notices_text(plan);
+    return text + formulas_text(lesson, plan) + tool_table(lesson, plan) +
+           materials_table(lesson, plan) + notices_text(plan);
 }
 
 }  // namespace fulcrum::runtime

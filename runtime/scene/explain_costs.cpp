@@ -1,4 +1,5 @@
 // The half of explain.h that speaks of a run.
+#include "runtime/scene/body_shape.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_tool.h"
@@ -82,6 +83,18 @@ Json json_of_materials(const LessonDescription& lesson, const Plan& plan) {
                                           {"slipperiness", facts.slipperiness}}));
     }
     return materials;
+}
+
+Json json_of_formulas(const LessonDescription& lesson, const Plan& plan) {
+    Json formulas = Json::array();
+    for (const SolidPlan& solid : plan.haptic.solids) {
+        if (const std::string_view shape = name_of_formula(solid.shape); !shape.empty()) {
+            formulas.push_back(
+                Json::object({{"name", lesson.bodies[static_cast<std::size_t>(solid.body)].name},
+                              {"shape", std::string(shape)}}));
+        }
+    }
+    return formulas;
 }
 
 const char* source_of(ShapeSource source) {
@@ -169,6 +182,7 @@ std::string explain_json(const LessonDescription& lesson, const Plan& plan,
         add_costs(stages, *analysis);
     }
     whole.add("stages", std::move(stages));
+    whole.add("felt_by_formula", json_of_formulas(lesson, plan));
     whole.add("materials", json_of_materials(lesson, plan));
     if (plan.haptic.tool && lesson.hand.tool) {
         whole.add("tool", json_of_tool(lesson, plan));

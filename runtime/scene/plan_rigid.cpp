@@ -2,6 +2,7 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/dynamics/shape_inertia.h"
+#include "runtime/scene/body_shape.h"
 #include "runtime/scene/plan_touch.h"
 #include "runtime/scene/shape_models.h"
 
@@ -21,77 +22,13 @@ constexpr double kUsualFriction = 0.5;   // of what has no material: wood on woo
 constexpr double kSlowPeriod_s = 0.01;   // of what no hand touches
 constexpr std::size_t kManyBodies = 24;  // from here on a second thread pays
 constexpr std::uint32_t kGripButtons = 1U;
-constexpr double kOffMiddle = 1.0e-4;  // of its size: a model whose middle is not its origin
 
-struct ModelBounds {
-    Vector3 middle_B{Vector3::Zero()};
-    Vector3 half_m{Vector3::Zero()};
-};
-
-ModelBounds find_bounds(const CollisionMesh& mesh) {
-    Vector3 lower = Vector3::Constant(std::numeric_limits<double>::max());
-    Vector3 upper = -lower;
-    for (const Vector3& vertex_B : mesh.vertices_B()) {
-        lower = lower.cwiseMin(vertex_B);
-        upper = upper.cwiseMax(vertex_B);
-    }
-    return {0.5 * (lower + upper), 0.5 * (upper - lower)};
-}
-
-RigidShape find_kind(const BodyDescription& body) {
-    const RigidShape asked = body.collides_as;
-    return asked != RigidShape::model  ? asked
-           : is_ball_model(body.model) ? RigidShape::ball
-           : body.model == kBoxModel   ? RigidShape::box
-                                       : RigidShape::hull;
-}
-
-Expected<SolidShape> to_shape(const Expected<HullShape>& hull) {
-    return hull.map([](const HullShape& shape) { return SolidShape(shape); });
-}
-
-std::vector<Vector3> find_corners(const ModelBounds& bounds) {
-    std::vector<Vector3> corners;
-    for (const double x : {-1.0, 1.0}) {
-        for (const double y : {-1.0, 1.0}) {
-            for (const double z : {-1.0, 1.0}) {
-                corners.emplace_back(bounds.middle_B +
-                                     bounds.half_m.cwiseProduct(Vector3(x, y, z)));
-            }
-        }
-    }
-    return corners;
-}
-
-/// What it collides as, from the model that is simulated: an upright cylinder, capsule or ball round the model's own axis y.
-Expected<SolidShape> make_shape(const BodyDescription& body, const MeshShape& simulated) {
-    const CollisionMesh& mesh = *simulated;
-    const ModelBounds bounds = find_bounds(mesh);
-    const RigidShape kind = find_kind(body);
-    if (kind == RigidShape::mesh) {
-        return simulated;
-    }
-    if (kind == RigidShape::hull) {
-        return to_shape(make_hull_shape({mesh.vertices_B().begin(), mesh.vertices_B().end()}));
-    }
-    const bool is_off = bounds.middle_B.norm() > kOffMiddle * bounds.half_m.norm();
-    if (kind == RigidShape::box) {
-        return is_off ? to_shape(make_hull_shape(find_corners(bounds)))
-                      : Expected<SolidShape>(BoxShape{bounds.half_m});
-    }
-    if (is_off) {
-        return fail("its model's middle is not its origin, so it is no ball, cylinder or capsule",
-                    {}, "give it shape = \"hull\" or \"box\"");
-    }
-    const double across_m = std::max(bounds.half_m.x(), bounds.half_m.z());
-    switch (kind) {
-        case RigidShape::ball:
-            return SphereShape{bounds.half_m.maxCoeff()};
-        case RigidShape::cylinder:
-            return CylinderShape{across_m, bounds.half_m.y()};
-        default:
-            return CapsuleShape{across_m, std::max(bounds.half_m.y() - across_m, 0.0)};
-    }
+BodyShape find_kind(const BodyDescription& body) {
+    const BodyShape asked = body.collides_as;
+    return asked != BodyShape::model   ? asked
+           : is_ball_model(body.model) ? BodyShape::ball
+           : body.model == kBoxModel   ? BodyShape::box
+                                       : BodyShape::hull;
 }
 
 Error about(const BodyDescription& body, const Error& error) {
@@ -110,14 +47,15 @@ Expected<RigidBodyPlan> make_world_body(const LessonDescription& lesson, const S
                                         const SolidLoader& load_solid) {
     const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
     const BodyDescription simulated = as_simulated(body);
-    // What is felt as a mesh has been loaded already.
-    const MeshShape* const known = find_mesh(solid.shape);
+    // What is felt as its mesh has been loaded already.
+    const MeshShape* const known =
+        body.felt_as == BodyShape::model ? find_mesh(solid.shape) : nullptr;
     const auto mesh = body.simulated_model.empty() && known != nullptr ? Expected<MeshShape>(*known)
                                                                        : load_solid(simulated);
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
-    const auto shape = make_shape(simulated, *mesh);
+    const auto shape = make_body_shape(find_kind(simulated), "shape", *mesh);
     if (!shape) {
         return tl::unexpected(about(body, shape.error()));
     }
@@ -197,7 +135,7 @@ Expected<void> add_joints(const LessonDescription& lesson, RigidLoopPlan& rigid)
 /// What is simulated of a body counts among rigid ones alone.
 Expected<void> refuse_simulated(const LessonDescription& lesson) {
     for (const BodyDescription& body : lesson.bodies) {
-        if (!body.simulated_model.empty() || body.collides_as != RigidShape::model) {
+        if (!body.simulated_model.empty() || body.collides_as != BodyShape::model) {
             return fail("the " + body.noun + " has a " +
                             (body.simulated_model.empty() ? "shape" : "simulated_model") +
                             ", and no body of the lesson is rigid",

@@ -3,8 +3,10 @@
 #include "haptics/dynamics/mesh_inertia.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/beside_thread.h"
+#include "haptics/point/make_obstacle.h"
 #include "haptics/tool/tool_plan.h"
 #include "runtime/files/shape_cache.h"
+#include "runtime/scene/body_shape.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_touch.h"
@@ -25,31 +27,16 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr int kRound = 48;  // sides of a round tool
-
-struct MakeMesh {
-    Expected<TriangleMesh> operator()(const SphereShape& ball) const {
-        return make_sphere(ball.radius_m, kRound / 4);
-    }
-    Expected<TriangleMesh> operator()(const BoxShape& box) const {
-        return make_box(2.0 * box.half_size_m);
-    }
-    Expected<TriangleMesh> operator()(const CapsuleShape& capsule) const {
-        return make_capsule(capsule.radius_m, 2.0 * capsule.half_length_m, kRound, kRound / 4);
-    }
-    Expected<TriangleMesh> operator()(const CylinderShape& cylinder) const {
-        return make_cylinder(cylinder.radius_m, 2.0 * cylinder.half_height_m, kRound);
-    }
-    template <class Other>
-    Expected<TriangleMesh> operator()(const Other& /*shape*/) const {
-        return fail("the tool has no shape", {}, "give it a shape or a model");
-    }
-};
+constexpr int kToolSides = 48;  // of a round one
 
 Expected<TriangleMesh> load_tool_mesh(const ToolDescription& tool, SourceLine line,
                                       const SolidLoader& load_solid) {
     if (tool.model.empty() || is_shape_model(tool.model)) {
-        return std::visit(MakeMesh{}, tool.shape);
+        const auto shape = to_solid_shape(tool.shape);
+        if (!shape) {
+            return fail("the tool has no shape", {}, "give it a shape or a model");
+        }
+        return make_shape_triangles(*shape, kToolSides);
     }
     BodyDescription body;
     body.name = "the tool";

@@ -4,6 +4,7 @@
 #include "haptics/loop/axle_stage.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/point/make_proxy.h"
+#include "runtime/scene/body_shape.h"
 #include "runtime/scene/plan_walls.h"
 #include "runtime/scene/shape_models.h"
 
@@ -50,11 +51,25 @@ Expected<void> check_in_hand(const SolidPlan& solid, const MaterialDescription& 
     return {};
 }
 
-/// A ball is felt by its formula, for its mesh would be felt as facets. The mesh of a box is the box itself. Tools are made for meshes.
-SolidShape felt_shape(const BodyDescription& body, const HandDescription& hand,
-                      const MeshShape& mesh) {
-    const bool is_ball = is_ball_model(body.model) && body.boxes.empty() && !hand.tool;
-    return is_ball ? SolidShape(SphereShape{body.radius_m}) : SolidShape(mesh);
+/// A ball is felt by its formula, for its mesh would be felt as facets; other models as what the lesson makes of them. The mesh of a box is
+/// the box itself. Tools are made for meshes.
+Expected<SolidShape> make_felt_shape(const BodyDescription& body, const HandDescription& hand,
+                                     const MeshShape& mesh) {
+    if (body.felt_as == BodyShape::model) {
+        const bool is_ball = is_ball_model(body.model) && body.boxes.empty() && !hand.tool;
+        return is_ball ? SolidShape(SphereShape{body.radius_m}) : SolidShape(mesh);
+    }
+    auto shape =
+        make_body_shape(body.felt_as, "felt_shape", mesh).and_then([](const SolidShape& made) {
+            return validate(made).map([&made] { return made; });
+        });
+    if (shape && hand.tool) {
+        shape = make_shape_mesh(*shape);
+    }
+    return shape.map_error([&](const Error& error) {
+        return Error{"the " + body.noun + ": " + error.message, at_line(body.line),
+                     error.what_to_do};
+    });
 }
 
 /// How far from the axis a hand may press it.
@@ -68,12 +83,16 @@ double compute_reach(const AxleSettings& axle, const CollisionMesh& mesh) {
 }
 
 /// The body of the newest solid turns.
-Expected<void> add_axle(const BodyDescription& body, const CollisionMesh& mesh, HapticPlan& plan) {
+Expected<void> add_axle(const BodyDescription& body, HapticPlan& plan) {
     if (body.movable) {
         return fail("the " + body.noun + " is on a hinge and movable", at_line(body.line),
                     "leave out one of them: what turns on a hinge does not fall");
     }
-    plan.axles.push_back({plan.solids.size() - 1, *body.hinge, compute_reach(*body.hinge, mesh)});
+    const auto mesh = make_shape_mesh(plan.solids.back().shape);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    plan.axles.push_back({plan.solids.size() - 1, *body.hinge, compute_reach(*body.hinge, **mesh)});
     return validate_axles(plan).map_error([&](const Error& error) {
         return Error{"the " + body.noun + ": " + error.message, at_line(body.line),
                      error.what_to_do};
@@ -123,8 +142,11 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
         if (!mesh) {
             return tl::unexpected(mesh.error());
         }
-        SolidPlan solid{static_cast<std::int32_t>(i), felt_shape(as_felt(body), lesson.hand, *mesh),
-                        Pose::at(body.position_W)};
+        auto shape = make_felt_shape(as_felt(body), lesson.hand, *mesh);
+        if (!shape) {
+            return tl::unexpected(shape.error());
+        }
+        SolidPlan solid{static_cast<std::int32_t>(i), std::move(*shape), Pose::at(body.position_W)};
         solid.lets_out = true;
         solid.surface.shading.on = body.rounded;
         if (body.material != kNoMaterial) {
@@ -138,7 +160,7 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
         }
         plan.solids.push_back(std::move(solid));
         if (body.hinge) {
-            if (auto good = add_axle(body, **mesh, plan); !good) {
+            if (auto good = add_axle(body, plan); !good) {
                 return good;
             }
         }

@@ -88,7 +88,8 @@ end
     };
     static constexpr BodyKind kBodyKinds[] = {
         {"", "noun radius mass exaggeration visible at drag_area"},
-        {"solid = true, ", "noun radius mass material rounded visible at about felt_model"},
+        {"solid = true, ",
+         "noun radius mass material rounded visible at about felt_model felt_shape"},
         {"solid = true, model = \"box\", ", "size material visible at"},
         {"solid = true, model = \"box\", ", "boxes material at visible"},
         {"solid = true, ", "radius mass material hinge at visible"},
@@ -96,7 +97,7 @@ end
         {"movable = true, ", "noun radius mass exaggeration visible at drag_area about"},
         {"movable = true, solid = true, ", "radius mass exaggeration visible at material"},
         {"rigid = true, ",
-         "noun radius mass material at about felt_model simulated_model shape joint"},
+         "noun radius mass material at about felt_model felt_shape simulated_model shape joint"},
         {"rigid = true, model = \"box\", ", "size density material at joint"},
         {"", ""}};
     static constexpr std::size_t kMovable = 6;

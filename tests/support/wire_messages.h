@@ -68,7 +68,8 @@ inline LessonDescription full_description() {
     block.size_m = Vector3(0.1, 0.2, 0.3);
     block.felt_model = "rough_block";
     block.simulated_model = "plain_block";
-    block.collides_as = RigidShape::cylinder;
+    block.felt_as = BodyShape::capsule;
+    block.collides_as = BodyShape::cylinder;
     block.rigid = RigidDescription{.joint = JointDescription{.kind = JointKind::distance,
                                                              .to = "post",
                                                              .at_W = Vector3(1, 2, 3),

@@ -38,6 +38,29 @@ constexpr Parameter kJoint[] = {
     {"friction", ParameterType::number, "newtons, newton metres of a hinge", 0, kMostJointForce,
      "0", "what brakes it"}};
 
+constexpr Parameter kFeltShape{
+    "felt_shape",
+    ParameterType::choice,
+    "",
+    0,
+    0,
+    "nil",
+    "what the hand feels of that model, as large as it reaches: a ball, a box, an upright "
+    "cylinder or capsule, all without facets, or its hull; by default a ball is one, and "
+    "others are as they are",
+    "box ball cylinder capsule hull mesh"};
+constexpr Parameter kShape{
+    "shape",
+    ParameterType::choice,
+    "",
+    0,
+    0,
+    "nil",
+    "what a rigid body, or a solid one among them, collides as; by default a box or a ball "
+    "as its model, else the hull of its model; mesh is the model itself with its hollows, "
+    "as of a ring or a bowl",
+    "box ball cylinder capsule hull mesh"};
+
 JointKind joint_kind_of(const std::string& name) {
     constexpr std::array<std::pair<std::string_view, JointKind>, 5> kKinds{
         {{"hinge", JointKind::hinge},
@@ -50,14 +73,14 @@ JointKind joint_kind_of(const std::string& name) {
         ->second;
 }
 
-RigidShape shape_of(const std::string& name) {
-    constexpr std::array<std::pair<std::string_view, RigidShape>, 6> kShapes{
-        {{"box", RigidShape::box},
-         {"ball", RigidShape::ball},
-         {"cylinder", RigidShape::cylinder},
-         {"capsule", RigidShape::capsule},
-         {"hull", RigidShape::hull},
-         {"mesh", RigidShape::mesh}}};
+BodyShape shape_of(const std::string& name) {
+    constexpr std::array<std::pair<std::string_view, BodyShape>, 6> kShapes{
+        {{"box", BodyShape::box},
+         {"ball", BodyShape::ball},
+         {"cylinder", BodyShape::cylinder},
+         {"capsule", BodyShape::capsule},
+         {"hull", BodyShape::hull},
+         {"mesh", BodyShape::mesh}}};
     return std::ranges::find(kShapes, std::string_view(name),
                              [](const auto& shape) { return shape.first; })
         ->second;
@@ -205,6 +228,14 @@ void take_models(lua_State* lua, const Arguments& arguments, BodyDescription& bo
     };
     take("felt_model", "felt", body.felt_model);
     take("simulated_model", "simulated", body.simulated_model);
+    if (arguments["felt_shape"].given) {
+        if (!is_touched) {
+            raise_in_lesson(lua, body.name +
+                                     " has a felt_shape but can't be touched; add solid = true or "
+                                     "rigid = true");
+        }
+        body.felt_as = shape_of(arguments["felt_shape"].text);
+    }
     if (arguments["shape"].given) {
         if (!is_touched) {
             raise_in_lesson(lua, body.name + " has a shape and is not rigid; add rigid = true");
@@ -240,6 +271,12 @@ void refuse_rigid_fields(lua_State* lua, const Arguments& arguments, const BodyD
 
 std::span<const Parameter> joint_parameters() {
     return kJoint;
+}
+const Parameter& felt_shape_parameter() {
+    return kFeltShape;
+}
+const Parameter& shape_parameter() {
+    return kShape;
 }
 
 void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& arguments,

@@ -324,14 +324,11 @@ void add_scene_rows(ApiTable& table) {
           {"felt_model", name, "", 0, 0, "nil",
            "model that the hand feels instead of the one that is drawn; of a box or a ball with "
            "its size or radius"},
+          felt_shape_parameter(),
           {"simulated_model", name, "", 0, 0, "nil",
            "model that rigid bodies meet instead of the one that is felt, as a simple one of many "
            "triangles"},
-          {"shape", choice, "", 0, 0, "nil",
-           "what a rigid body, or a solid one among them, collides as; by default a box or a ball "
-           "as its model, else the hull of its model; mesh is the model itself with its hollows, "
-           "as of a ring or a bowl",
-           "box ball cylinder capsule hull mesh"},
+          shape_parameter(),
           {"density", number, "kilograms per cubic metre", 1, 25000, "nil",
            "of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900"},
           {"joint", record, "", 0, 0, "nil", "what a rigid body hangs on", "",

@@ -39,7 +39,8 @@ void body(Archive& a, Body& b) {
     boxes(a, b.boxes);
     a.name("what is felt of a body", b.felt_model);
     a.name("what is simulated of a body", b.simulated_model);
-    a.choice("what a body collides as", b.collides_as, RigidShape::mesh);
+    a.choice("what a body is felt as", b.felt_as, BodyShape::mesh);
+    a.choice("what a body collides as", b.collides_as, BodyShape::mesh);
     a.flag("rounded", b.rounded);
 }
 

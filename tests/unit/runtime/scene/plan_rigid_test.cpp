@@ -92,18 +92,18 @@ TEST_CASE("plan: what is not seen at first is not there, and joints are between 
 
 TEST_CASE("plan: shapes follow the model, or what the lesson says") {
     LessonDescription lesson = make_blocks();
-    const auto shape_as = [&](RigidShape shape) {
+    const auto shape_as = [&](BodyShape shape) {
         lesson.bodies[1].collides_as = shape;
         return plan_of(lesson, box_mesh).rigid->world.bodies[2].shape;
     };
-    CHECK(std::get<SphereShape>(shape_as(RigidShape::ball)).radius_m == Approx(0.1));
-    const auto cylinder = std::get<CylinderShape>(shape_as(RigidShape::cylinder));
+    CHECK(std::get<SphereShape>(shape_as(BodyShape::ball)).radius_m == Approx(0.1));
+    const auto cylinder = std::get<CylinderShape>(shape_as(BodyShape::cylinder));
     CHECK(cylinder.radius_m == Approx(0.05));
     CHECK(cylinder.half_height_m == Approx(0.1));
-    CHECK(std::get<CapsuleShape>(shape_as(RigidShape::capsule)).half_length_m == Approx(0.05));
-    CHECK(std::holds_alternative<HullShape>(shape_as(RigidShape::hull)));
-    CHECK(std::holds_alternative<BoxShape>(shape_as(RigidShape::box)));
-    CHECK(std::holds_alternative<MeshShape>(shape_as(RigidShape::mesh)));
+    CHECK(std::get<CapsuleShape>(shape_as(BodyShape::capsule)).half_length_m == Approx(0.05));
+    CHECK(std::holds_alternative<HullShape>(shape_as(BodyShape::hull)));
+    CHECK(std::holds_alternative<BoxShape>(shape_as(BodyShape::box)));
+    CHECK(std::holds_alternative<MeshShape>(shape_as(BodyShape::mesh)));
 }
 
 TEST_CASE("plan: a body is felt as one model and simulated as another, in one frame") {
@@ -159,7 +159,7 @@ TEST_CASE("plan: what is simulated is refused where no body is rigid, or it is n
 
 TEST_CASE("plan: a mesh is made ready once, and an open one is refused with the body's line") {
     LessonDescription lesson = make_blocks();
-    lesson.bodies[1].collides_as = RigidShape::mesh;
+    lesson.bodies[1].collides_as = BodyShape::mesh;
     const Plan plan = plan_of(lesson, box_mesh);
     REQUIRE(plan.rigid->world.bodies[2].sampled);
     CHECK(plan.rigid->world.bodies[2].sampled->is_mesh());
