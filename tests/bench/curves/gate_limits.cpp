@@ -13,7 +13,7 @@ struct TriedHand {
 constexpr TriedHand kHands[] = {
     {"fingertip of 5 N", kFingertip}, {"arm", kArm}, {"hand that keeps its posture", kPosture}};
 
-// The most that is asked for within the limit and not sent while the wall is pressed, for half a second from where the hand sets out.
+// The most that is asked for, of what the arm has, and not sent while the wall is pressed, for half a second from where the hand sets out.
 double find_withheld_N(const HumanImpedance& human, double slew_N_per_s, bool has_transients) {
     test::DeclaredWall wall{.stiffness_N_per_m = 1000.0, .human = human};
     wall.change = [&](HapticPlan& plan) {
@@ -28,7 +28,7 @@ double find_withheld_N(const HumanImpedance& human, double slew_N_per_s, bool ha
         rig.step();
         const HapticState& state = rig.state();
         const double asked_N =
-            std::min(state.commanded_W.force.norm(), rig.plan().safety.max_force_N);
+            std::min(state.commanded_W.force.norm(), rig.arm().traits().max_force_N);
         most_N = std::max(most_N, asked_N - state.applied_W.force.norm());
     }
     return most_N;
