@@ -148,14 +148,13 @@ struct BodyState {
     BodyWhere where = BodyWhere::hidden;
 };
 
-/// World -> lesson and picture, newest value.
 /// What steps of a world of rigid bodies were short of, so far.
 struct WorldEffort {
     std::uint64_t n_steps = 0;
-    std::uint64_t n_unconverged =
-        0;  ///< of them: an island's answer was not within the solver's tolerance
+    std::uint64_t n_unconverged = 0;  ///< of them: the solver ended outside its tolerance
 };
 
+/// World -> lesson and picture, newest value.
 struct WorldSnapshot {
     double time_s = 0.0;
     std::int32_t n_bodies = 0;

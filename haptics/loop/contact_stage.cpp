@@ -80,7 +80,7 @@ ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand
         }
     }
     felt.counted = shading_.empty() ? ElasticForce{plain_W, plain_W}
-                                    : count(plain_W, felt.spring.force, hand_W);
+                                    : count(plain_W, felt.spring.force, hand_W, solid_poses_W);
     for (std::size_t i = 0; i < n_touches_; ++i) {
         touches_[i].stiffness_N_per_m = stretch_m > 0.0 ? force_N / stretch_m : 0.0;
     }
@@ -90,29 +90,52 @@ ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand
     return felt;
 }
 
-// What of the spring's force gives back the hand's work: all of it as it was, and what shading turned of it as far as that is lent.
-ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W,
-                                 const Vector3& hand_W) noexcept {
-    double bump_m = 0.0;
+// The touched solid whose even normals do most; kNoBody where none has any.
+std::int32_t ContactStage::find_shaded() const noexcept {
+    std::int32_t found = kNoBody;
     for (const TouchForce& touch : touches()) {
         const auto solid = static_cast<std::size_t>(touch.solid);
-        if (touch.solid >= 0 && solid < shading_.size() && shading_[solid]) {
-            bump_m = std::max(bump_m, shading_[solid]->bump_m());
+        if (touch.solid >= 0 && solid < shading_.size() && shading_[solid] &&
+            (found == kNoBody ||
+             shading_[solid]->bump_m() > shading_[static_cast<std::size_t>(found)]->bump_m())) {
+            found = touch.solid;
         }
     }
-    loan_.allow(compute_length(plain_W) * bump_m, period_s_);
+    return found;
+}
+
+// What of the spring's force gives back the hand's work: all of it as it was, and what shading turned of it as far as that is lent. The
+// hand's way is that against the solid: what moves on with the hand gives it nothing by its facets.
+ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W,
+                                 const Vector3& hand_W,
+                                 std::span<const Pose> solid_poses_W) noexcept {
     ElasticForce counted{plain_W, plain_W};
-    counted += loan_.step_evenly(shaded_W - plain_W,
-                                 follows_ ? Vector3(hand_W - hand_W_) : Vector3(Vector3::Zero()));
+    const std::int32_t solid = find_shaded();
+    if (solid == kNoBody || static_cast<std::size_t>(solid) >= solid_poses_W.size()) {
+        loan_.leave(period_s_);
+        lender_ = kNoBody;
+        return counted;
+    }
+    const auto index = static_cast<std::size_t>(solid);
+    const Pose& pose_W = solid_poses_W[index];
+    Vector3 moved_W = Vector3::Zero();
+    Vector3 against_W = Vector3::Zero();
+    if (solid == lender_) {
+        moved_W = hand_W - hand_W_;
+        against_W = hand_W - pose_W * hand_B_;
+    }
+    loan_.allow(compute_length(plain_W) * shading_[index]->bump_m(), period_s_);
+    counted += loan_.step_evenly(shaded_W - plain_W, moved_W, against_W);
+    lender_ = solid;
     hand_W_ = hand_W;
-    follows_ = true;
+    hand_B_ = pose_W.inverse() * hand_W;
     return counted;
 }
 
 void ContactStage::leave() noexcept {
     n_touches_ = 0;
-    follows_ = false;
-    loan_.settle();
+    lender_ = kNoBody;
+    loan_.leave(period_s_);
 }
 
 // What the touches' dampers add, with a spring of so many newtons a metre.

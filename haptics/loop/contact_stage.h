@@ -7,7 +7,7 @@
 // friction stays in its cone.
 // A shaded force is no gradient: who presses deeper on one half of a face than on the other may go round for ever and be given work.
 // So only F_spring counts as ideal, and what shading turns of it is lent (surface/energy_loan.h): |F_spring| times what a face's lean
-// can do (shading.h).
+// can do (shading.h), along the hand's way against the solid.
 //
 // Thread: haptic loop. Cost: that of the coupling; a shaded touch 20 ns more. No allocation in `step`.
 #pragma once
@@ -69,7 +69,9 @@ class ContactStage {
     [[nodiscard]] bool shade(const ProxyContact& contact,
                              std::span<const Pose> solid_poses_W) noexcept;
     [[nodiscard]] ElasticForce count(const Vector3& plain_W, const Vector3& shaded_W,
-                                     const Vector3& hand_W) noexcept;
+                                     const Vector3& hand_W,
+                                     std::span<const Pose> solid_poses_W) noexcept;
+    [[nodiscard]] std::int32_t find_shaded() const noexcept;
     [[nodiscard]] const CouplingSettings& coupling_of(std::int32_t solid) const noexcept;
 
     CouplingSettings common_;
@@ -78,10 +80,12 @@ class ContactStage {
     std::array<TouchForce, kMaxTouches> touches_{};
     std::array<DampedPlane, kMaxTouches> planes_{};  // of the touches
     std::size_t n_touches_ = 0;
-    EnergyLoan loan_{};                // of shading
-    double period_s_;                  // of the loop
-    Vector3 hand_W_{Vector3::Zero()};  // in the round before
-    bool follows_ = false;             // it touched something then
+    EnergyLoan loan_{};  // of shading
+    double period_s_;    // of the loop
+    // In the round before.
+    std::int32_t lender_ = kNoBody;  // the solid that was lent of
+    Vector3 hand_W_{Vector3::Zero()};
+    Vector3 hand_B_{Vector3::Zero()};  // in the lender's frame
 };
 
 }  // namespace fulcrum

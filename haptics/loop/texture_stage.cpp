@@ -27,7 +27,7 @@ SurfaceForce TextureStage::step(std::span<const TouchForce> touches, const Touch
         bumps_J += touch.stiffness_N_per_m * texture.bump_m2(touch.depth_m);
     }
     if (touches.empty()) {
-        loan_.settle();
+        loan_.leave(dt_s);
         return felt;
     }
     loan_.allow(bumps_J, dt_s);

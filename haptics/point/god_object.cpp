@@ -98,7 +98,8 @@ void GodObjectAmong<Solid>::find_near_solids(const Vector3& goal_W) noexcept {
 template <class Solid>
 void GodObjectAmong<Solid>::follow_goal(const Vector3& goal_W) noexcept {
     (void)renew_planes();
-    while (n_sweeps_ < kMaxSweeps) {
+    // Planes are taken anew without a sweep: rounds are counted too.
+    for (int round = 0; round < kMaxSweeps && n_sweeps_ < kMaxSweeps; ++round) {
         const Vector3 way = constrain(goal_W - proxy_W_, proxy_W_, planes_);
         const Advance advanced = advance(planes_.count == 0 ? goal_W : proxy_W_ + way);
         if (advanced.blocked && !contains(planes_, advanced.plane)) {
@@ -106,7 +107,7 @@ void GodObjectAmong<Solid>::follow_goal(const Vector3& goal_W) noexcept {
             remember(advanced.plane);
             continue;
         }
-        if (!find_way_on(goal_W)) {
+        if (!find_way_on(goal_W, advanced.moved_m > 0.0)) {
             return;
         }
     }
@@ -188,10 +189,10 @@ bool GodObjectAmong<Solid>::renew_planes() noexcept {
     return any;
 }
 
-// At rest: does each plane that pushes belong to a triangle right under the proxy? Otherwise try without it.
+// At rest, where planes that are taken anew bring it no nearer: does each plane that pushes belong to a triangle right under the proxy? Otherwise try without it.
 template <class Solid>
-bool GodObjectAmong<Solid>::find_way_on(const Vector3& goal_W) noexcept {
-    if (renew_planes()) {
+bool GodObjectAmong<Solid>::find_way_on(const Vector3& goal_W, bool has_moved) noexcept {
+    if (renew_planes() && has_moved) {
         return true;
     }
     const unsigned all = (1U << planes_.count) - 1U;

@@ -91,7 +91,7 @@ class GodObjectAmong final : public SurfaceObject {
     void follow_goal(const Vector3& goal_W) noexcept;
     void look_ahead() noexcept;
     [[nodiscard]] bool renew_planes() noexcept;
-    [[nodiscard]] bool find_way_on(const Vector3& goal_W) noexcept;
+    [[nodiscard]] bool find_way_on(const Vector3& goal_W, bool has_moved) noexcept;
     [[nodiscard]] bool try_without(const Vector3& goal_W, unsigned kept) noexcept;
     [[nodiscard]] static Vector3 constrain(const Vector3& wish, const Vector3& from_W,
                                            Planes& planes) noexcept;

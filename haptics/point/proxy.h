@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxTouches = 3;
 /// One plane of a solid that holds the proxy. A coupling of stiffness k pushes the solid with -k (push_m normal_W + drag_W).
 struct SolidTouch {
     std::int32_t solid = kNoBody;        ///< index in the plan
-    std::int32_t feature = -1;           ///< the mesh's triangle; -1 on shapes that have none
+    std::int32_t feature = -1;           ///< the mesh's triangle; of another shape 0 or -1
     Vector3 normal_W{Vector3::UnitY()};  ///< unit, away from the surface
     double push_m = 0.0;  ///< how far the plane holds the proxy off the hand, 0 or more
     Vector3 drag_W{

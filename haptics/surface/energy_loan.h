@@ -4,9 +4,11 @@
 // of that scene, and so is a tap's ringing: a brake on every sampled bump would wipe them out. But a law that is no gradient,
 // or a relief steeper than the loop can follow, could feed a buzz for ever if it were taken for elastic. So both get a loan:
 //   a <- max(a + T . d, -limit)      T: the force held over the period, d: the hand's way in it; a: what is owed
-//   x  = max(a - limit, 0),  a <- a - x
+//   x  = max(a - limit, 0), no more than max(T . d, 0),      a <- a - x
 // T . d - x counts as ideal, x does not: the brake sees it. Bumps that give back what they took owe between - limit and
-// limit for ever, and are never braked; what they give for good they can give only once. The force is not changed here.
+// limit for ever, and are never braked; what they give for good they give only once, for a debt outlasts the touch: it fades in
+// kDebtMemory_s, so that limit / kDebtMemory_s is the power that may be had of it for ever. Where the push falls, and the limit with it,
+// nothing falls due that was not given in the round itself. The force is not changed here.
 // limit: of a texture K k d H, what one bump of height H holds under the present pressure (falling to it within kLoanMemory_s where
 // the hand lifts); of a tap the stated share of m v^2 / 2.
 //
@@ -24,25 +26,30 @@
 namespace fulcrum {
 
 inline constexpr double kLoanMemory_s = 1.0;
+inline constexpr double kDebtMemory_s = 10.0;
 inline constexpr double kUnfelt_N = 0.01;
 
 class EnergyLoan {
   public:
     /// The limit is at least `limit_J` now; a higher one from before falls towards it in `dt_s`. Not finite or negative: 0.
     void allow(double limit_J, double dt_s) noexcept;
-    /// Nothing is owed and nothing allowed, as when the surface is left.
+    /// The surface was left `dt_s` ago, or in the round before: what is owed stays owed.
+    void leave(double dt_s) noexcept;
+    /// Nothing is owed and nothing allowed, as before a new tap.
     void settle() noexcept;
 
     /// Counts the period that has just ended with the hand `motion_W` further, and takes over the force of the next.
     [[nodiscard]] ElasticForce step(const Vector3& next_W, const Vector3& motion_W) noexcept;
-    /// The same of a force that goes on evenly from round to round.
-    [[nodiscard]] ElasticForce step_evenly(const Vector3& next_W, const Vector3& motion_W) noexcept;
+    /// The same of a force that goes on evenly from round to round, upon a surface against which the hand went `against_W`.
+    [[nodiscard]] ElasticForce step_evenly(const Vector3& next_W, const Vector3& motion_W,
+                                           const Vector3& against_W) noexcept;
 
     [[nodiscard]] double owed_J() const noexcept { return owed_J_; }
     [[nodiscard]] double limit_J() const noexcept { return limit_J_; }
 
   private:
-    [[nodiscard]] Vector3 lend(double given_J, const Vector3& motion_W) noexcept;
+    [[nodiscard]] Vector3 lend(double given_J, const Vector3& motion_W,
+                               const Vector3& against_W) noexcept;
 
     double limit_J_ = 0.0;
     double owed_J_ = 0.0;

@@ -41,8 +41,8 @@ class ShadedNormals {
         return normals_B_[static_cast<std::size_t>(
             groups_[static_cast<std::size_t>(triangle)][corner])];
     }
-    /// Most work, for each newton of push, that turning it from a face's own normal does along that face: its longest side times the
-    /// sine of its corners' lean, over 4, as on a round surface, where the lean grows evenly from the middle.
+    /// About the most work, for each newton of push, that turning it from a face's own normal does along that face: the corners' lean
+    /// grows evenly from the middle, so that it has a potential there of half the lean along the way to a corner.
     [[nodiscard]] double bump_m() const noexcept { return bump_m_; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
         return normals_B_.capacity() * sizeof(Vector3) + groups_.capacity() * sizeof(groups_[0]);

@@ -132,13 +132,17 @@ ShadedNormals::ShadedNormals(std::shared_ptr<const CollisionMesh> mesh, double c
     }
     for (std::size_t t = 0; t < n; ++t) {
         const auto p = mesh_->places_B(static_cast<std::int32_t>(t));
-        const double side_m =
-            std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+        const Vector3 middle_B = (p[0] + p[1] + p[2]) / 3.0;
+        double least_m = 0.0;
+        double most_m = 0.0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const double lean =
-                corner_normal_B(static_cast<std::int32_t>(t), i).cross(faces_B[t]).norm();
-            bump_m_ = std::max(bump_m_, 0.25 * side_m * lean);
+            const Vector3& normal_B = corner_normal_B(static_cast<std::int32_t>(t), i);
+            const Vector3 lean = normal_B - normal_B.dot(faces_B[t]) * faces_B[t];
+            const double work_m = 0.5 * lean.dot(p[i] - middle_B);
+            least_m = std::min(least_m, work_m);
+            most_m = std::max(most_m, work_m);
         }
+        bump_m_ = std::max(bump_m_, most_m - least_m);
     }
 }
 

@@ -167,6 +167,38 @@ TEST_CASE("contact stage: shading turns the force and keeps its size; else it is
     CHECK((inside.force_W + turned.force_W).norm() < 1.0e-9);
 }
 
+TEST_CASE(
+    "touched solids: what an even normal gives is lent on the way against the solid, not of one "
+    "that moves on with the hand") {
+    const auto mesh = touchable(make_sphere(0.1, 2));
+    const auto corners = mesh->places_B(5);
+    const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    const Vector3 place = 0.7 * corners[0] + 0.2 * corners[1] + 0.1 * corners[2];
+    for (const bool solid_moves : {true, false}) {
+        ContactStage stage(make_shaded(mesh, 60.0));
+        double recalled_J = 0.0;
+        Vector3 before_W = Vector3::Zero();
+        for (int k = 0; k < 2000; ++k) {
+            // Along what shading turned of the force; its place on the facet stays, whoever moves.
+            const Vector3 way = 2.0e-4 * k * (place - normal.dot(place) * normal).normalized();
+            const std::array<Pose, 1> poses{Pose::at(solid_moves ? way : Vector3(Vector3::Zero()))};
+            const Vector3 at_W = place + way;
+            ProxyContact contact = make_touched(at_W, normal, 0, 5);
+            const Vector3 felt_at_W = solid_moves ? at_W : place;
+            contact.position_W = felt_at_W;
+            const ContactForce felt =
+                feel(stage, contact, at_W - 0.002 * normal, Vector3::Zero(), poses);
+            const Vector3 moved_W = at_W - before_W;
+            recalled_J +=
+                k > 0 ? 0.5 * (felt.counted.now_W - felt.counted.held_W).dot(moved_W) : 0.0;
+            before_W = at_W;
+        }
+        CAPTURE(solid_moves, recalled_J);
+        CHECK((recalled_J > 1.0e-3) == !solid_moves);
+        CHECK(recalled_J >= 0.0);
+    }
+}
+
 TEST_CASE("contact stage: what friction holds stays in a shaded force") {
     const auto mesh = touchable(make_sphere(0.05, 3));
     ContactStage stage(make_shaded(mesh, 60.0));

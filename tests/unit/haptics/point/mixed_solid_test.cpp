@@ -167,3 +167,40 @@ TEST_CASE("mixed solid: a start in a surface gets the outside") {
         CHECK((proxy.contact().position_W - top).norm() < 1e-9);
     }
 }
+
+TEST_CASE(
+    "mixed solid: a bead on a floor ten thousand times its size takes a bounded number of rounds") {
+    constexpr double kFloor_m = 10.0;
+    constexpr double kBead_m = 0.001;
+    for (int trial = 0; trial < 400; ++trial) {
+        std::vector<SolidPlan> solids =
+            only_solid(touchable(make_box(Vector3::Constant(kFloor_m))));
+        solids[0].initial_pose_W = Pose::at({0.0, -0.5 * kFloor_m, 0.0});
+        solids.push_back({.body = 1,
+                          .shape = SphereShape{kBead_m},
+                          .initial_pose_W = Pose::at({0.0, 0.2 * kBead_m, 0.0})});
+        MixedGodObject proxy(solids);
+        const double angle = 0.7 * trial;
+        const double deep_m = 0.4 * kBead_m * (trial % 17) / 17.0;
+        const auto at = [&](double radii, double turn, double height_m) {
+            return Vector3(radii * kBead_m * std::cos(angle + turn), height_m,
+                           radii * kBead_m * std::sin(angle + turn));
+        };
+        proxy.reset(at(1.6, 0.0, 0.3 * kBead_m));
+        int most = 0;
+        const auto step = [&](const Vector3& hand_W) {
+            proxy.step(hand_W, {});
+            most = std::max(most, proxy.n_sweeps());
+        };
+        for (double height_m = 0.3 * kBead_m; height_m > -deep_m; height_m -= 0.05 * kBead_m) {
+            step(at(1.6, 0.0, height_m));
+        }
+        for (double radii = 1.6; radii > 0.4; radii -= 0.02) {
+            step(at(radii, 0.0, -deep_m));
+        }
+        for (double turn = 0.0; turn < 2.0; turn += 0.03) {
+            step(at(0.4, turn, -deep_m));
+        }
+        CHECK(most <= 64);
+    }
+}
