@@ -134,8 +134,10 @@ ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W
 
 void ContactStage::leave() noexcept {
     n_touches_ = 0;
-    lender_ = kNoBody;
-    loan_.leave(period_s_);
+    if (!shading_.empty()) {
+        lender_ = kNoBody;
+        loan_.leave(period_s_);
+    }
 }
 
 // What the touches' dampers add, with a spring of so many newtons a metre.
