@@ -56,13 +56,11 @@ void HapticLoop::add_tool() noexcept {
     demand_.contact = tool_force_.contact;
     demand_.wrench_W.force += tool_force_.wrench_W.force;
     demand_.wrench_W.torque += tool_force_.wrench_W.torque;
-    demand_.force += {tool_force_.spring_W.force, tool_force_.spring_W.force};
-    demand_.torque += {tool_force_.spring_W.torque, tool_force_.spring_W.torque};
+    demand_.force += tool_force_.elastic_force;
+    demand_.torque += tool_force_.elastic_torque;
     share(Effect::tool, tool_force_.spring_W.force, tool_force_.spring_W.torque);
     const Wrench& texture_W = tool_force_.texture_W;
     if (tool_->has_texture()) {
-        demand_.force += tool_force_.texture_force;
-        demand_.torque += tool_force_.texture_torque;
         share(Effect::texture, texture_W.force, texture_W.torque);
     }
     share(Effect::tool_damping,

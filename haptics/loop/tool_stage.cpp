@@ -11,10 +11,15 @@ namespace {
 
 constexpr double kStandsStill = 1.5;  // of the interval between two places
 
+WrenchLoan::Way find_motion(const Pose& from_W, const Pose& to_W) noexcept {
+    return {to_W.position - from_W.position,
+            compute_log((to_W.orientation * from_W.orientation.conjugate()).normalized())};
+}
+
 // What is elsewhere is counted as moving there evenly since it was last told to be elsewhere.
 Twist compute_twist(const Pose& from_W, const Pose& to_W, double dt_s) noexcept {
-    return {(to_W.position - from_W.position) / dt_s,
-            compute_log(to_W.orientation * from_W.orientation.conjugate()) / dt_s};
+    const WrenchLoan::Way way_W = find_motion(from_W, to_W);
+    return {way_W.shift_W / dt_s, way_W.turn_W / dt_s};
 }
 
 // Against a wrench about a place: its line, nearest to there.
@@ -73,24 +78,45 @@ void ToolStage::follow_hand(const ToolRound& round) noexcept {
     is_engaged_ = round.is_fit && tool_->is_free(frames_);
     pose_W_ = round.hand.pose_W;
     hand_W_ = round.hand.pose_W;
-    shift_loan_.settle();
-    turn_loan_.settle();
+    relief_loan_.settle();
+    even_loan_.leave(round.dt_s);
+    lender_ = kNoBody;
     solid_ = kNoBody;
     std::ranges::fill(pushes_, SolidPush{});
     add_up({});
 }
 
-// What reliefs do in the coming period, and how much of what they did in the last one is the ideal scene's.
-void ToolStage::lend(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept {
+void ToolStage::add_lent(const WrenchLoan::Counted& lent, ToolForce& force) const noexcept {
+    force.elastic_force += lent.force;
+    force.elastic_torque += {lent.torque.now_W / scale_, lent.torque.held_W / scale_};
+}
+
+// What of springs and reliefs in the coming period gives back the hand's work: of the springs all but what even normals turn of them, and of
+// that and the reliefs as much as is lent.
+void ToolStage::count(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept {
     const Pose& hand_W = round.hand.pose_W;
-    const Vector3 turned_W =
-        compute_log((hand_W.orientation * hand_W_.orientation.conjugate()).normalized());
-    force.texture_W = {felt.texture_W.force, felt.texture_W.torque / scale_};
-    shift_loan_.allow(felt.bumps_J, round.dt_s);
-    turn_loan_.allow(felt.bumps_J / scale_, round.dt_s);
-    force.texture_force =
-        shift_loan_.step(force.texture_W.force, hand_W.position - hand_W_.position);
-    force.texture_torque = turn_loan_.step(force.texture_W.torque, turned_W);
+    force.elastic_force = {force.spring_W.force, force.spring_W.force};
+    force.elastic_torque = {force.spring_W.torque, force.spring_W.torque};
+    const WrenchLoan::Way motion_W = find_motion(hand_W_, hand_W);
+    if (has_texture_) {
+        relief_loan_.allow(felt.bumps_J, round.dt_s);
+        add_lent(relief_loan_.step(felt.texture_W, motion_W), force);
+    }
+    if (has_shading_) {
+        const Pose& pressed_W =
+            solid_ != kNoBody ? round.solid_poses_W[static_cast<std::size_t>(solid_)] : Pose{};
+        const bool goes_on = solid_ != kNoBody && solid_ == lender_;
+        even_loan_.allow(felt.even_J, round.dt_s);
+        const WrenchLoan::Counted lent = even_loan_.step_evenly(
+            felt.even_W, goes_on ? motion_W : WrenchLoan::Way{},
+            goes_on ? find_motion(pressed_W * hand_B_, hand_W) : WrenchLoan::Way{});
+        // The springs' part has it already.
+        add_lent({{Vector3::Zero(), lent.force.held_W - lent.force.now_W},
+                  {Vector3::Zero(), lent.torque.held_W - lent.torque.now_W}},
+                 force);
+        lender_ = solid_;
+        hand_B_ = pressed_W.inverse() * hand_W;
+    }
     hand_W_ = hand_W;
 }
 
@@ -180,7 +206,8 @@ ToolForce ToolStage::step(const ToolRound& round) noexcept {
     // What the hand feels of it.
     force.wrench_W = {felt.felt_W.force, felt.felt_W.torque / scale_};
     force.spring_W = {felt.spring_W.force, felt.spring_W.torque / scale_};
-    lend(felt, round, force);
+    force.texture_W = {felt.texture_W.force, felt.texture_W.torque / scale_};
+    count(felt, round, force);
     force.contact.force = felt.spring_W.force;
     force.contact.energy_J = felt.spring_energy_J;
     force.contact.normal = compute_direction(felt.spring_W.force);

@@ -4,8 +4,8 @@
 //   force on the hand    the coupling's, as the tool gives it
 //   torque on the hand   about the grip, over the workspace's scale: forces are felt unscaled and lengths are not, so that a turn
 //                        of the handle takes from the hand as much as from the tool, in the hand's metres
-//   of both, reliefs     what the objects' materials add, where the tool feels it: ideal as far as their bumps' loan goes (energy_loan.h), one loan
-//                        for shifts and one for turns
+//   of both, reliefs     what the objects' materials add, where the tool feels it: ideal as far as their bumps' loan goes (energy_loan.h)
+//   even normals         what they turn of the springs' part is lent likewise, by the hand's way against what is pressed hardest
 //   force on a solid     -(W_i + w_i (felt - sum of W)),  w_i = |F_i| / sum of |F|    W_i its own wrench on the tool, F_i the force
 //                        of it, all about the grip. Together they are what the hand presses, minus the force and torque that it
 //                        feels: all of that where one solid is touched. Where the tool is twisted between two that push against
@@ -52,8 +52,8 @@ struct ToolForce {
     Wrench wrench_W{};   ///< on the hand: newtons, and newton metres as the hand feels them
     Wrench spring_W{};   ///< the springs' part of it
     Wrench texture_W{};  ///< what reliefs add to it
-    ElasticForce texture_force{};   ///< and what of that gives the hand's work back
-    ElasticForce texture_torque{};  ///< likewise
+    ElasticForce elastic_force{};   ///< what of springs and reliefs gives the hand's work back
+    ElasticForce elastic_torque{};  ///< likewise
     ContactSpring contact{};        ///< the force's; energy in metres of the world
     bool failed = false;            ///< something was no number; there is no force
 };
@@ -102,18 +102,21 @@ class ToolStage {
     void follow_hand(const ToolRound& round) noexcept;
     void tell_pushes(const Wrench& felt_W) noexcept;
     void add_up(const ToolEffort& step) noexcept;
-    void lend(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept;
+    void count(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept;
+    void add_lent(const WrenchLoan::Counted& lent, ToolForce& force) const noexcept;
 
     std::unique_ptr<ToolSolver> tool_;
     BesideSolver* beside_;  // the same, where it has work that can run beside; else null
     double scale_;
-    bool has_texture_;
+    bool has_texture_, has_shading_;
     std::vector<Track> tracks_;
     std::vector<MovingFrame> frames_;  // of the solids, for the tool
     std::vector<SolidPush> pushes_;
-    EnergyLoan shift_loan_{};
-    EnergyLoan turn_loan_{};
-    Pose hand_W_{};  // in the round before
+    WrenchLoan relief_loan_{};
+    WrenchLoan even_loan_{};
+    Pose hand_W_{};                  // in the round before
+    Pose hand_B_{};                  // likewise, as seen from what lent
+    std::int32_t lender_ = kNoBody;  // what was pressed hardest then
     bool is_engaged_ = false;
     ToolEffort effort_{};
     std::unique_ptr<ContactLateness> lateness_;

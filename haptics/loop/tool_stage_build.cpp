@@ -23,6 +23,7 @@ ToolStage::ToolStage(const HapticPlan& plan)
       beside_(dynamic_cast<BesideSolver*>(tool_.get())),
       scale_(plan.workspace.scale),
       has_texture_(fulcrum::has_texture(*plan.tool)),
+      has_shading_(has_shading(*plan.tool)),
       tracks_(plan.solids.size()),
       frames_(plan.solids.size()),
       pushes_(plan.solids.size()),

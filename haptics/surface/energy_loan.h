@@ -16,6 +16,8 @@
 // Of a force that goes on evenly between the rounds, as a shaded contact's does, (T_(n-1) + T_n)/2 . d stands for T . d: what the hold
 // alone gives or takes would add up to as much as is lent. Of that kUnfelt_N . |d| are forgiven: a proxy creeps over facets by steps, and
 // a shaded direction is wrong by some hundredths of a degree, so that strokes which nobody would call driven give 0.001 to 0.006 N of it.
+// Of a wrench T . d is that of force and torque together, one loan for both: what turns about its contact gives by one what it takes by
+// the other. What falls due is shared out to the two by what each gave.
 // Thread: haptic loop. Cost: about 5 ns. Source: ours; the idea of a bounded tank is that of S. Stramigioli and C. Secchi
 // (energy tanks), here without the port's dynamics.
 #pragma once
@@ -28,11 +30,33 @@ namespace fulcrum {
 inline constexpr double kLoanMemory_s = 1.0;
 inline constexpr double kDebtMemory_s = 10.0;
 inline constexpr double kUnfelt_N = 0.01;
+inline constexpr double kUnfeltAt_m =
+    0.015;  ///< and of a turn that at this distance, as of a handle
 
-class EnergyLoan {
+/// How much is owed, and how much of what is given goes beyond the limit.
+class LoanAccount {
   public:
     /// The limit is at least `limit_J` now; a higher one from before falls towards it in `dt_s`. Not finite or negative: 0.
     void allow(double limit_J, double dt_s) noexcept;
+    /// Nothing is owed and nothing allowed.
+    void settle() noexcept { limit_J_ = owed_J_ = 0.0; }
+    /// Of a debt, not of a credit.
+    void forgive(double energy_J) noexcept;
+    /// x: what of `given_J` falls due at once. Of what is no number nothing is given.
+    [[nodiscard]] double take(double given_J) noexcept;
+
+    [[nodiscard]] double owed_J() const noexcept { return owed_J_; }
+    [[nodiscard]] double limit_J() const noexcept { return limit_J_; }
+
+  private:
+    double limit_J_ = 0.0;
+    double owed_J_ = 0.0;
+};
+
+class EnergyLoan {
+  public:
+    /// As LoanAccount::allow.
+    void allow(double limit_J, double dt_s) noexcept { account_.allow(limit_J, dt_s); }
     /// The surface was left `dt_s` ago, or in the round before: what is owed stays owed.
     void leave(double dt_s) noexcept;
     /// Nothing is owed and nothing allowed, as before a new tap.
@@ -44,16 +68,42 @@ class EnergyLoan {
     [[nodiscard]] ElasticForce step_evenly(const Vector3& next_W, const Vector3& motion_W,
                                            const Vector3& against_W) noexcept;
 
-    [[nodiscard]] double owed_J() const noexcept { return owed_J_; }
-    [[nodiscard]] double limit_J() const noexcept { return limit_J_; }
+    [[nodiscard]] double owed_J() const noexcept { return account_.owed_J(); }
+    [[nodiscard]] double limit_J() const noexcept { return account_.limit_J(); }
 
   private:
-    [[nodiscard]] Vector3 lend(double given_J, const Vector3& motion_W,
-                               const Vector3& against_W) noexcept;
-
-    double limit_J_ = 0.0;
-    double owed_J_ = 0.0;
+    LoanAccount account_{};
     Vector3 force_W_{Vector3::Zero()};
+};
+
+/// Likewise of a wrench, whose moments are about where the motion is told.
+class WrenchLoan {
+  public:
+    struct Counted {
+        ElasticForce force{};
+        ElasticForce torque{};
+    };
+    /// A shift and a rotation vector.
+    struct Way {
+        Vector3 shift_W{Vector3::Zero()};
+        Vector3 turn_W{Vector3::Zero()};
+    };
+
+    void allow(double limit_J, double dt_s) noexcept { account_.allow(limit_J, dt_s); }
+    void leave(double dt_s) noexcept;
+    void settle() noexcept;
+    [[nodiscard]] Counted step(const Wrench& next_W, const Way& motion_W) noexcept;
+    [[nodiscard]] Counted step_evenly(const Wrench& next_W, const Way& motion_W,
+                                      const Way& against_W) noexcept;
+
+    [[nodiscard]] double owed_J() const noexcept { return account_.owed_J(); }
+
+  private:
+    [[nodiscard]] Wrench lend(const Wrench& wrench_W, const Way& motion_W,
+                              const Way& against_W) noexcept;
+
+    LoanAccount account_{};
+    Wrench wrench_W_{};
 };
 
 }  // namespace fulcrum

@@ -3,7 +3,7 @@
 //   haptic loop   where the handle is           -> goal -> motion (god_motion.h), as long as that takes
 //   motion        where the tool got, by what it is held there -> set  -> haptic loop (god_object_tool.h): the force of it, each step
 //
-// Thread: one fills a set, the other reads it. Cost: a copy of what presses, 110 bytes each.
+// Thread: one fills a set, the other reads it. Cost: a copy of what presses, 140 bytes each.
 // Source: M. Ortega, S. Redon, S. Coquillart 2007, IEEE TVCG 13(3), sections 3.2 and 5: the force from the last constraint set, on a loop of its own.
 #pragma once
 
@@ -25,6 +25,7 @@ struct GodPress {
     std::int32_t object = 0;            ///< in the plan's order
     Vector3 arm_W{Vector3::Zero()};     ///< from the tool's centre of mass
     Vector3 normal_W{Vector3::Zero()};  ///< unit, as it is felt: from the object to the tool
+    Vector3 true_W{Vector3::Zero()};    ///< as it is, where a surface is shaded
     Vector3 on_object_O{Vector3::Zero()};
     double least_m = 0.0;   ///< the tool may still go so far against the normal, below 0, or 0
     double friction = 0.0;  ///< its coefficient

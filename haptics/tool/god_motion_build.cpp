@@ -30,9 +30,7 @@ GodMotion::GodMotion(const std::vector<GodObjectPlan>& plans, const GodObjectSet
     }
     pairs_.reserve(plans.size());
     frictions_.reserve(plans.size());
-    const bool is_shaded = std::ranges::any_of(plans, [](const GodObjectPlan& plan) {
-        return plan.object_shading != nullptr || plan.tool_shading != nullptr;
-    });
+    const bool is_shaded = has_shading(plans);
     for (const GodObjectPlan& plan : plans) {
         if (is_shaded) {
             shadings_.push_back({plan.object_shading, plan.tool_shading});

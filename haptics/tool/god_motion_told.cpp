@@ -113,6 +113,7 @@ void GodMotion::tell_presses(GodContactSet& set) const noexcept {
                 .object = static_cast<std::int32_t>(i),
                 .arm_W = R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position,
                 .normal_W = find_felt_normal_W(i, contact, R_WO),
+                .true_W = R_WO * contact.normal_O,
                 .on_object_O = contact.on_object_O,
                 .least_m = std::min(settings_.gap_m - contact.gap_m, 0.0),
                 .friction = find_friction(i, contact),

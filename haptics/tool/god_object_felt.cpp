@@ -137,6 +137,28 @@ Wrench GodObjectTool::force(const Pose& handle_W) noexcept {
     return {age_.share() * all.force, age_.share() * all.torque};
 }
 
+// A wall pushes with K depth along its own normal t; along n, the even one, the constraint solver pushes with K depth (t . n), so that
+// f (n - t / (t . n)) is what turning adds, f what is pushed with.
+void GodObjectTool::tell_even(const Pose& handle_W, ToolFelt& felt) const noexcept {
+    Wrench even_W;
+    const std::span<const GodPress> all = presses();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const GodPress& press = all[k];
+        const double pushed_N = force_.force_W(k).dot(press.normal_W);
+        if (pushed_N > 0.0) {
+            const Vector3 turned = press.normal_W - press.true_W / press.true_W.dot(press.normal_W);
+            add_point_force(press.arm_W, pushed_N * turned, even_W);
+            felt.even_J += pushed_N * bumps_m_[static_cast<std::size_t>(press.object)];
+        }
+    }
+    // As much of it as the coupling's limits leave of the contacts' force.
+    const double held_N = force_.held().force.norm();
+    const double felt_N = felt.spring_W.force.norm();
+    const double share = felt_N < held_N ? felt_N / held_N : 1.0;
+    felt.even_W = about_grip({share * even_W.force, share * even_W.torque}, handle_W);
+    felt.even_J *= share;
+}
+
 // Of answers that are late less and less.
 ToolFelt GodObjectTool::tell_felt(const Pose& handle_W, bool is_new) noexcept {
     ToolFelt felt;
@@ -146,6 +168,9 @@ ToolFelt GodObjectTool::tell_felt(const Pose& handle_W, bool is_new) noexcept {
     felt.spring_W = {share * told.contacts.force, share * told.contacts.torque};
     felt.texture_W = {felt.felt_W.force - felt.spring_W.force,
                       felt.felt_W.torque - felt.spring_W.torque};
+    if (!bumps_m_.empty()) {
+        tell_even(handle_W, felt);
+    }
     for (const Rough& rough : rough_) {
         felt.bumps_J += rough.texture.bumps_J();
     }

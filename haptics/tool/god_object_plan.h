@@ -56,6 +56,8 @@ struct GodObjectPlan {
 [[nodiscard]] bool has_friction(const std::vector<GodObjectPlan>& plans);
 /// Whether the relief of some object is felt.
 [[nodiscard]] bool has_texture(const std::vector<GodObjectPlan>& plans);
+/// Whether contacts with some object are felt by normals that turn evenly.
+[[nodiscard]] bool has_shading(const std::vector<GodObjectPlan>& plans);
 /// How far the tool reaches from its centre of mass.
 [[nodiscard]] double find_reach_m(const std::vector<GodObjectPlan>& plans);
 

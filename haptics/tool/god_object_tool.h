@@ -120,6 +120,7 @@ class GodObjectTool final : public ToolSolver, public BesideSolver {
         Wrench contacts{}, all{};
     };
     [[nodiscard]] Felt feel(const Pose& handle_W) noexcept;
+    void tell_even(const Pose& handle_W, ToolFelt& felt) const noexcept;
     [[nodiscard]] ToolFelt tell_felt(const Pose& handle_W, bool is_new) noexcept;
     void tell_texture(double dt_s) noexcept;
     [[nodiscard]] bool share_pressure() noexcept;
@@ -136,8 +137,9 @@ class GodObjectTool final : public ToolSolver, public BesideSolver {
     std::unique_ptr<GodMotion> motion_;       // the other thread's, but for is_free, without
     RoundListener* listener_ = nullptr;
     std::vector<ToolTouch> touches_;
-    std::vector<Pose> seen_OT_;  // where the tool was over each object by the last set
-    std::vector<Rough> rough_;   // objects
+    std::vector<Pose> seen_OT_;    // where the tool was over each object by the last set
+    std::vector<double> bumps_m_;  // of objects and tool; empty where nothing is shaded
+    std::vector<Rough> rough_;     // objects
     EvenPressure pressure_;
     Wrench texture_W_{};       // on the tool, about its centre of mass, by the last set
     double textured_N_ = 0.0;  // that the contacts held then

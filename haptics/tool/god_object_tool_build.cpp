@@ -38,6 +38,18 @@ GodForceSettings make_force_settings(const std::vector<GodObjectPlan>& plans,
             .has_friction = has_friction(plans)};
 }
 
+// Of each object and the tool the more, as ShadedNormals::bump_m.
+std::vector<double> find_bumps_m(const std::vector<GodObjectPlan>& plans) {
+    std::vector<double> bumps_m;
+    bumps_m.reserve(plans.size());
+    for (const GodObjectPlan& plan : plans) {
+        const double object_m = plan.object_shading ? plan.object_shading->bump_m() : 0.0;
+        const double tool_m = plan.tool_shading ? plan.tool_shading->bump_m() : 0.0;
+        bumps_m.push_back(std::max(object_m, tool_m));
+    }
+    return bumps_m;
+}
+
 }  // namespace
 
 bool has_friction(const std::vector<GodObjectPlan>& plans) {
@@ -48,6 +60,12 @@ bool has_friction(const std::vector<GodObjectPlan>& plans) {
 bool has_texture(const std::vector<GodObjectPlan>& plans) {
     return std::ranges::any_of(plans,
                                [](const GodObjectPlan& plan) { return plan.texture != nullptr; });
+}
+
+bool has_shading(const std::vector<GodObjectPlan>& plans) {
+    return std::ranges::any_of(plans, [](const GodObjectPlan& plan) {
+        return plan.object_shading != nullptr || plan.tool_shading != nullptr;
+    });
 }
 
 double find_reach_m(const std::vector<GodObjectPlan>& plans) {
@@ -98,6 +116,9 @@ GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
       age_(settings.age) {
     settings_.handle_turn.normalize();
     motion_ = std::make_unique<GodMotion>(plans, settings_, channels_.get());
+    if (has_shading(plans)) {
+        bumps_m_ = find_bumps_m(plans);
+    }
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (plans[i].texture != nullptr) {
             rough_.push_back({i,
@@ -150,8 +171,8 @@ std::size_t GodObjectTool::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + motion_->memory_bytes() +
                         (channels_ ? sizeof(GodChannels) : sizeof(GodContactSet)) +
                         touches_.capacity() * sizeof(ToolTouch) +
-                        seen_OT_.capacity() * sizeof(Pose) + force_.memory_bytes() +
-                        pressure_.memory_bytes();
+                        seen_OT_.capacity() * sizeof(Pose) + bumps_m_.capacity() * sizeof(double) +
+                        force_.memory_bytes() + pressure_.memory_bytes();
     for (const Rough& rough : rough_) {
         bytes += sizeof(Rough) - sizeof(GodTexture) + rough.texture.memory_bytes();
     }

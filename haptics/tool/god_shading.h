@@ -39,6 +39,8 @@ class GodShading {
     [[nodiscard]] bool is_even(std::int32_t triangle, std::size_t edge) const noexcept {
         return even_[static_cast<std::size_t>(triangle)][edge];
     }
+    /// As ShadedNormals::bump_m.
+    [[nodiscard]] double bump_m() const noexcept { return normals_.bump_m(); }
     [[nodiscard]] std::int32_t n_triangles() const noexcept {
         return static_cast<std::int32_t>(touched_.size());
     }

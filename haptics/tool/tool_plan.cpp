@@ -217,6 +217,11 @@ bool has_texture(const ToolPlan& plan) {
     return meshes != nullptr && has_texture(*meshes);
 }
 
+bool has_shading(const ToolPlan& plan) {
+    const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects);
+    return meshes != nullptr && has_shading(*meshes);
+}
+
 Expected<void> validate(const ToolPlan& plan) {
     if (plan.penalty) {
         return ImplicitPenaltyTool::build(make_implicit_penalty_plan(plan)).map([](const auto&) {});

@@ -107,6 +107,8 @@ struct LevelOrder {
 
 /// Whether the relief of some object is felt.
 [[nodiscard]] bool has_texture(const ToolPlan& plan);
+/// Whether normals that turn evenly are.
+[[nodiscard]] bool has_shading(const ToolPlan& plan);
 
 /// Refuses what the method's build does.
 [[nodiscard]] Expected<void> validate(const ToolPlan& plan);

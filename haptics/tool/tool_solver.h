@@ -45,9 +45,11 @@ struct ToolTouch {
 struct ToolFelt {
     Wrench felt_W{};  ///< on the hand, N and Nm about the grip
     Wrench
-        spring_W{};  ///< the part of the coupling's springs: what of it gives back the hand's work
-    Wrench texture_W{};            ///< and that of the reliefs of what is touched
-    double bumps_J = 0.0;          ///< what one of their bumps holds (surface/energy_loan.h)
+        spring_W{};   ///< the part of the coupling's springs: what of it gives back the hand's work
+    Wrench even_W{};  ///< what of the springs' part even normals have turned it by
+    double even_J = 0.0;   ///< the most work that may do upon one facet (surface/energy_loan.h)
+    Wrench texture_W{};    ///< and that of the reliefs of what is touched
+    double bumps_J = 0.0;  ///< what one of their bumps holds (surface/energy_loan.h)
     double spring_energy_J = 0.0;  ///< of the coupling's shift; 0 where nothing is felt
     bool moved = true;             ///< false: something was no number, and the tool stands still
     ToolEffort effort{};

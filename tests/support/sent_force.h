@@ -45,11 +45,13 @@ class SentForce {
     SentForce& operator=(const SentForce&) = delete;
 
     /// One round with the hand there: newtons behind the last gate.
-    const Vector3& step(const Vector3& hand_W) {
-        device_.pose_D = compute_device_pose(plan_.haptic.workspace, Pose::at(hand_W));
+    const Vector3& step(const Vector3& hand_W) { return step(Pose::at(hand_W)).force; }
+    /// And with the handle turned: of a device that tells it and gives torques newton metres too.
+    const Wrench& step(const Pose& hand_W) {
+        device_.pose_D = compute_device_pose(plan_.haptic.workspace, hand_W);
         now_s_ += 1.0 / plan_.haptic.rate_hz;
         loop_->step(now_s_);
-        return loop_->state().applied_W.force;
+        return loop_->state().applied_W;
     }
     /// Calm rounds at a place where nothing is touched, until the gate is open without its soft start.
     void open_gate(const Vector3& free_W) {

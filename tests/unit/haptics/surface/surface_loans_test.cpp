@@ -121,6 +121,67 @@ TEST_CASE("energy loan: what is taken earns no more than the limit") {
     }));
 }
 
+TEST_CASE("energy loan: a wrench that turns about its contact owes nothing, however far") {
+    WrenchLoan loan;
+    const Wrench pushed{Vector3(0.3, -0.2, 0.5), Vector3(0.02, 0.05, -0.01)};
+    // The place on its line that is nearest: there nothing moves along the force.
+    const Vector3 arm = pushed.force.cross(pushed.torque) / pushed.force.squaredNorm();
+    const Vector3 turn = 1.0e-3 * Vector3(0.4, 0.1, -0.8).cross(pushed.force).normalized();
+    const WrenchLoan::Way way{arm.cross(turn), turn};
+    const double couple_J = pushed.force.dot(way.shift_W) + pushed.torque.dot(way.turn_W);
+    REQUIRE(std::abs(couple_J) < 1.0e-3 * std::abs(pushed.force.dot(way.shift_W)));
+    for (int k = 0; k < 3000; ++k) {
+        loan.allow(1.0e-6, 0.001);
+        const WrenchLoan::Counted counted = loan.step_evenly(pushed, way, way);
+        REQUIRE(counted.force.held_W == pushed.force);
+        REQUIRE(counted.torque.held_W == pushed.torque);
+    }
+}
+
+TEST_CASE("energy loan: of a wrench no more is ideal than one loan, whichever gave it") {
+    CHECK(rc::check("whatever the wrenches and the ways", [] {
+        WrenchLoan loan;
+        Wrench before{};
+        double highest = 0.0;
+        double lowest = 0.0;
+        double sum = 0.0;
+        for (int k = 0; k < 200; ++k) {
+            const auto any = [] { return 0.01 * *rc::gen::inRange(-100, 101); };
+            const auto vector = [&] { return Vector3(any(), any(), any()); };
+            const Wrench next{vector(), 0.1 * vector()};
+            const WrenchLoan::Way way{1.0e-3 * vector(), 1.0e-2 * vector()};
+            loan.allow(1.0e-4, 0.001);
+            const WrenchLoan::Counted counted = loan.step(next, way);
+            sum += ideal_J(before.force, counted.force, way.shift_W) +
+                   ideal_J(before.torque, counted.torque, way.turn_W);
+            before = next;
+            lowest = std::min(lowest, sum);
+            highest = std::max(highest, sum - lowest);
+            RC_ASSERT(std::abs(loan.owed_J()) <= 1.0e-4 * (1.0 + 1.0e-9));
+        }
+        RC_ASSERT(highest <= 2.0e-4 * (1.0 + 200 * 0.001 / kDebtMemory_s));
+    }));
+}
+
+TEST_CASE("energy loan: a wrench upon what stands still in a hand that stands gives nothing") {
+    WrenchLoan loan;
+    const Wrench pushed{Vector3(1.0, 0.0, 0.0), Vector3(0.0, 0.1, 0.0)};
+    loan.allow(1.0e-6, 0.001);
+    (void)loan.step_evenly(pushed, {}, {});
+    // The surface alone moves.
+    (void)loan.step_evenly(pushed, {}, {Vector3(0.01, 0.0, 0.0), Vector3(0.0, 0.1, 0.0)});
+    CHECK(loan.owed_J() == 0.0);
+    const double bad = std::nan("");
+    (void)loan.step_evenly(pushed, {Vector3(bad, 0, 0), {}}, {Vector3(bad, 0, 0), {}});
+    CHECK(loan.owed_J() == 0.0);
+    (void)loan.step_evenly(pushed, {Vector3(0.01, 0, 0), {}}, {Vector3(0.01, 0, 0), {}});
+    CHECK(loan.owed_J() == Approx(1.0e-6));
+    loan.leave(0.5);
+    CHECK(loan.owed_J() == Approx(1.0e-6 * (1.0 - 0.5 / kDebtMemory_s)));
+    loan.settle();
+    CHECK(loan.owed_J() == 0.0);
+}
+
 TEST_CASE(
     "energy loan: a limit falls slowly and rises at once; the surface left, what is owed stays") {
     EnergyLoan loan;

@@ -1,6 +1,7 @@
 // What closed paths give a hand of effects that are no gradient, behind plan, passivity stage and gate as they ship. Without dampers, which
 // would hide it.
 #include "haptics/geometry/shape.h"
+#include "haptics/math/rotation.h"
 #include "haptics/surface/energy_loan.h"
 #include "haptics/surface/materials.h"
 #include "tests/support/sent_force.h"
@@ -33,7 +34,7 @@ constexpr double kFade_W = kLent_J / kDebtMemory_s;
 constexpr double kLeak_W = 2.0 * PassivitySettings{}.headroom_J / PassivitySettings{}.memory_s;
 
 // A closed path: where the hand is at a share of it.
-using Path = std::function<Vector3(double share)>;
+using Path = std::function<Pose(double share)>;
 
 struct Given {
     double first_J = 0.0;  // in the first rounds
@@ -46,21 +47,35 @@ struct Given {
 Given go_round(SentForce& loop, const Path& path, double round_s) {
     constexpr int kRounds = 20;
     Given given;
-    Vector3 before_W = path(0.0);
-    Vector3 before_N = loop.step(before_W);
+    Pose before_W = path(0.0);
+    Wrench before = loop.step(before_W);
     const double step = 1.0 / (round_s * loop.plan().rate_hz);
     for (int round = 0; round < 2 * kRounds; ++round) {
         for (double share = step; share < 1.0; share += step) {
-            const Vector3 hand_W = path(share);
-            const double work_J = before_N.dot(hand_W - before_W);
+            const Pose hand_W = path(share);
+            const Vector3 shift_W = hand_W.position - before_W.position;
+            const Vector3 turn_W =
+                compute_log(hand_W.orientation * before_W.orientation.conjugate());
+            const double work_J = before.force.dot(shift_W) + before.torque.dot(turn_W);
             (round < kRounds ? given.first_J : given.last_J) += work_J;
-            given.way_m += round < kRounds ? 0.0 : (hand_W - before_W).norm();
-            before_N = loop.step(hand_W);
+            given.way_m += round < kRounds ? 0.0 : shift_W.norm() + kUnfeltAt_m * turn_W.norm();
+            before = loop.step(hand_W);
             before_W = hand_W;
         }
     }
     given.took_s = kRounds * round_s;
     return given;
+}
+
+// From outside a ball about the origin to where the path begins.
+void come_from_above(SentForce& loop, const Path& path) {
+    Pose pose_W = path(0.0);
+    const Vector3 begin_W = pose_W.position;
+    loop.open_gate(1.2 * begin_W);
+    for (double share = 1.2; share > 1.0; share -= 1.0e-4) {
+        pose_W.position = share * begin_W;
+        (void)loop.step(pose_W);
+    }
 }
 
 // There and back along an arc of a ball, deeper on the way there.
@@ -72,8 +87,8 @@ Path make_arc(double radius_m, double from_rad, double span_rad, double deep_m, 
         const double angle = from_rad + 0.5 * span_rad * (1.0 - std::cos(turn));
         const double depth_m =
             0.5 * (deep_m + shallow_m) + 0.5 * (deep_m - shallow_m) * std::sin(turn);
-        return Vector3((radius_m - depth_m) *
-                       (std::cos(angle) * kAlong + std::sin(angle) * kAcross));
+        return Pose::at((radius_m - depth_m) *
+                        (std::cos(angle) * kAlong + std::sin(angle) * kAcross));
     };
 }
 
@@ -88,13 +103,43 @@ TEST_CASE("sent energy: who goes round on a shaded facet for ever is given what 
             SentForce loop(test::make_touch_lesson(make_undamped(), true), coarse);
             const Path path = make_arc(kRadius_m, 0.27 * i, span_rad, is_turned ? 0.008 : 0.022,
                                        is_turned ? 0.022 : 0.008);
-            loop.open_gate(1.2 * path(0.0));
-            for (double share = 1.2; share > 1.0; share -= 1.0e-4) {
-                (void)loop.step(share * path(0.0));
-            }
+            come_from_above(loop, path);
             const Given given = go_round(loop, path, 0.25);
             INFO(span_rad << " rad from " << 0.27 * i << ": " << given.first_J << " J, then "
                           << given.last_J);
+            const double forgiven_J = (kLeak_W + kFade_W) * given.took_s + kUnfelt_N * given.way_m;
+            CHECK(given.first_J < kLent_J + forgiven_J);
+            CHECK(given.last_J < forgiven_J);
+        }
+    }
+}
+
+TEST_CASE("sent energy: a tool that goes round on a shaded facet is given what is lent, once") {
+    constexpr double kRadius_m = 0.1;
+    constexpr double kBall_m = 0.01;
+    const auto coarse = touchable(make_sphere(kRadius_m, 2));
+    runtime::LessonDescription lesson = test::make_touch_lesson(make_undamped(), true);
+    lesson.hand.tool.emplace();
+    lesson.hand.tool->shape = SphereShape{kBall_m};
+    lesson.hand.tool->method = ToolMethod::god_object;
+    lesson.hand.tool->stiffness_N_per_m = 200.0;
+    // The ball alone, and held by a handle that swings about it.
+    for (const double swing_rad : {0.0, 0.5}) {
+        for (int i = 0; i < 8; ++i) {
+            const bool is_turned = i % 2 == 1;
+            const Path arc = make_arc(kRadius_m + kBall_m, 0.27 * i, 0.1, is_turned ? 0.008 : 0.022,
+                                      is_turned ? 0.022 : 0.008);
+            const Path path = [&](double share) {
+                Pose pose_W = arc(share);
+                pose_W.orientation =
+                    compute_exp({0.0, 0.0, swing_rad * std::sin(2.0 * std::numbers::pi * share)});
+                return pose_W;
+            };
+            SentForce loop(lesson, coarse);
+            come_from_above(loop, path);
+            const Given given = go_round(loop, path, 0.25);
+            INFO(swing_rad << " rad, from " << 0.27 * i << ": " << given.first_J << " J, then "
+                           << given.last_J);
             const double forgiven_J = (kLeak_W + kFade_W) * given.took_s + kUnfelt_N * given.way_m;
             CHECK(given.first_J < kLent_J + forgiven_J);
             CHECK(given.last_J < forgiven_J);
@@ -128,9 +173,9 @@ TEST_CASE(
         } else {
             out = 1.0 - ease((share - 0.7) / 0.3);
         }
-        return Vector3(middle + 0.85 * out * (corners[0] - middle) + height_m * normal);
+        return Pose::at(middle + 0.85 * out * (corners[0] - middle) + height_m * normal);
     };
-    loop.open_gate(path(0.0) + 0.02 * normal);
+    loop.open_gate(path(0.0).position + 0.02 * normal);
     const Given given = go_round(loop, path, 0.5);
     INFO(given.first_J << " J, then " << given.last_J);
     CHECK(given.last_J < (kLeak_W + kFade_W) * given.took_s + kUnfelt_N * given.way_m);
@@ -152,11 +197,11 @@ TEST_CASE("sent energy: who presses a relief downhill for ever is given what it 
             const double x_m = -kHalf_m * std::cos(2.0 * std::numbers::pi * share);
             const double uphill =
                 (share < 0.5 ? 1.0 : -1.0) * std::cos(2.0 * std::numbers::pi * x_m / kWave_m);
-            return Vector3(x_m, 0.5 * kPlate_m - kDepth_m * (1.0 - 0.3 * uphill), 0.0);
+            return Pose::at({x_m, 0.5 * kPlate_m - kDepth_m * (1.0 - 0.3 * uphill), 0.0});
         };
-        loop.open_gate(path(0.0) + 0.01 * Vector3::UnitY());
+        loop.open_gate(path(0.0).position + 0.01 * Vector3::UnitY());
         for (double above_m = 0.01; above_m > 0.0; above_m -= 1.0e-5) {
-            (void)loop.step(path(0.0) + above_m * Vector3::UnitY());
+            (void)loop.step(path(0.0).position + above_m * Vector3::UnitY());
         }
         const Given given = go_round(loop, path, 0.5);
         INFO("law " << static_cast<int>(law) << ": " << given.first_J << " J, then "
@@ -176,12 +221,12 @@ TEST_CASE(
         Material material = make_undamped();
         material.coupling.stiffness_N_per_m = 500.0;
         const Path path = [&](double share) {
-            return Vector3(
-                0.0, 0.5 * kBlock_m + kSwing_m * std::cos(2.0 * std::numbers::pi * share), 0.0);
+            return Pose::at(
+                {0.0, 0.5 * kBlock_m + kSwing_m * std::cos(2.0 * std::numbers::pi * share), 0.0});
         };
         const auto tap = [&] {
             SentForce loop(test::make_touch_lesson(material, false), block);
-            loop.open_gate(path(0.0));
+            loop.open_gate(path(0.0).position);
             return go_round(loop, path, kRound_s);
         };
         const Given silent = tap();
