@@ -172,9 +172,11 @@ TEST_CASE("energy loan: a wrench upon what stands still in a hand that stands gi
     (void)loan.step_evenly(pushed, {}, {Vector3(0.01, 0.0, 0.0), Vector3(0.0, 0.1, 0.0)});
     CHECK(loan.owed_J() == 0.0);
     const double bad = std::nan("");
-    (void)loan.step_evenly(pushed, {Vector3(bad, 0, 0), {}}, {Vector3(bad, 0, 0), {}});
+    (void)loan.step_evenly(pushed, WrenchLoan::Way{Vector3(bad, 0, 0), Vector3::Zero()},
+                           WrenchLoan::Way{Vector3(bad, 0, 0), Vector3::Zero()});
     CHECK(loan.owed_J() == 0.0);
-    (void)loan.step_evenly(pushed, {Vector3(0.01, 0, 0), {}}, {Vector3(0.01, 0, 0), {}});
+    (void)loan.step_evenly(pushed, WrenchLoan::Way{Vector3(0.01, 0, 0), Vector3::Zero()},
+                           WrenchLoan::Way{Vector3(0.01, 0, 0), Vector3::Zero()});
     CHECK(loan.owed_J() == Approx(1.0e-6));
     loan.leave(0.5);
     CHECK(loan.owed_J() == Approx(1.0e-6 * (1.0 - 0.5 / kDebtMemory_s)));
