@@ -18,6 +18,7 @@
 #include <limits>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
@@ -27,6 +28,13 @@ constexpr double kMouseSag_m_per_N = 0.004;
 constexpr double kMouseSlow_per_N = 0.2;
 
 constexpr double kGreeting_s = 3.0;
+constexpr double kMeasured_s = 0.1;
+
+// Of the way for which walls were made: what its margin of a tenth and its whole milliseconds do not cover.
+constexpr double kSlowerWay = 1.5;
+
+// A stick's place and its force each wait for their endpoint's turn: most ask for one in 8 ms (USB 2.0, 5.7.4: 1 to 255 frames of 1 ms).
+constexpr double kHidRound_s = 0.016;
 
 // A number that the repeated record tells.
 std::optional<double> find_number(const RunRequest& request, const char* name) {
@@ -42,6 +50,27 @@ bool mouse_is_free(const RunRequest& request) {
     return request.hands_there == HandsThere::desk && request.hand != HandKind::mouse &&
            std::ranges::find(request.more_hands, HandKind::mouse, &HandChoice::hand) ==
                request.more_hands.end();
+}
+
+// There and back, as it usually takes: the median of what comes within kMeasured_s of the first that does. Commands of no force are asked for
+// it, for an arm echoes nothing else.
+double measure_way_s(LinkDevice& device, double began_s) {
+    std::vector<double> trips_s;
+    double until_s = monotonic_now_s() + kGreeting_s;
+    DeviceReading reading;
+    while (monotonic_now_s() < until_s && !interrupted()) {
+        const double now_s = monotonic_now_s() - began_s;
+        (void)device.read(now_s, reading);
+        (void)device.write(now_s, Wrench{});
+        if (const double trip_s = device.status().newest_round_trip_s; trip_s > 0.0) {
+            until_s = trips_s.empty() ? monotonic_now_s() + kMeasured_s : until_s;
+            trips_s.push_back(trip_s);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const auto middle = trips_s.begin() + static_cast<std::ptrdiff_t>(trips_s.size() / 2);
+    std::ranges::nth_element(trips_s, middle);
+    return trips_s.empty() ? 0.0 : *middle;
 }
 
 }  // namespace
@@ -220,7 +249,7 @@ Expected<void> HandDevice::link(const HandChoice& request) {
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    link_s_ = device->status().round_trip_s;
+    link_s_ = measure_way_s(*device, began_s);
     // The run has a clock of its own.
     device->part();
     linked_ = device.get();
@@ -261,13 +290,19 @@ void HandDevice::begin_anew() {
     }
 }
 
+// In whole milliseconds, so that one way gives one plan, but for what waking up late adds; an arm's own round is never none.
+double HandDevice::planned_link_s() const {
+    constexpr double kWakesLate_ms = 0.3;
+    return 1.0e-3 * std::max(std::ceil(1.0e3 * link_s_ - kWakesLate_ms), 1.0);
+}
+
 std::optional<WallHolder> HandDevice::wall_holder() const {
     if (linked_ == nullptr) {
-        return std::nullopt;
+        return hid_ != nullptr && can_push()
+                   ? std::optional(make_wall_holder(device_->traits(), kHidRound_s))
+                   : std::nullopt;
     }
-    // In whole milliseconds, so that one way gives one plan; an arm's own round is never none.
-    const double link_s = 1.0e-3 * std::max(std::ceil(1.0e3 * link_s_), 1.0);
-    return make_wall_holder(device_->traits(), link_s);
+    return make_wall_holder(device_->traits(), planned_link_s());
 }
 
 std::optional<LinkStatus> HandDevice::link_status() {
@@ -293,6 +328,10 @@ std::string HandDevice::take_notice() {
         if (link.too_long != std::exchange(told_too_long_, link.too_long)) {
             notice += (notice.empty() ? "" : " ") +
                       describe_way(link, LinkDeviceSettings{}.most_round_trip_s);
+        }
+        const bool is_slow = !link.too_long && link.round_trip_s > kSlowerWay * planned_link_s();
+        if (is_slow && !std::exchange(told_slower_, is_slow)) {
+            notice += (notice.empty() ? "" : " ") + describe_slower_way(link, planned_link_s());
         }
     }
     return notice;

@@ -78,7 +78,7 @@ class HandDevice {
     void begin_anew();
     /// What has happened to the device since the last call that people should know, a sentence; empty when nothing has.
     [[nodiscard]] std::string take_notice();
-    /// Open: the arm at the other end of a link, for which walls must be stable; nothing of another device.
+    /// Open: the arm at the other end of a link, or the joystick with motors, for which walls must be stable; nothing of another device.
     [[nodiscard]] std::optional<WallHolder> wall_holder() const;
     /// How the link to an arm does; nothing of another device. For the lesson loop.
     [[nodiscard]] std::optional<LinkStatus> link_status();
@@ -105,6 +105,7 @@ class HandDevice {
     [[nodiscard]] Expected<void> make(const RunRequest& request);
     [[nodiscard]] Expected<void> link(const HandChoice& request);
     void spoil(const RunRequest& request);
+    [[nodiscard]] double planned_link_s() const;
     [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer();
 
     HandKind kind_ = HandKind::none;
@@ -126,6 +127,7 @@ class HandDevice {
         nullptr;  // around a HID device, where the mouse has nothing else to move
     bool told_stand_in_ = false;
     bool told_too_long_ = false;
+    bool told_slower_ = false;
     double link_s_ = 0.0;  // there and back, as it was greeted
     SpoiledArm* spoiled_ = nullptr;
 };

@@ -99,7 +99,7 @@ Expected<Plan> LessonRun::compile(const Places& places, const RunRequest& reques
     PlanOptions options = request.plan;
     options.device_force_limit_N = force_limit_N(request);
     if (hand_) {
-        options.holder = hand_->wall_holder().value_or(options.holder);
+        options.holders = find_holders(request.plan.holders);
     }
     return compile_shown(scene, std::move(options), make_solid_loader(places, request.folder),
                          make_picture_loader(request.folder, scene.hand.scale))

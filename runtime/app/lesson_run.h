@@ -232,6 +232,7 @@ class LessonRun {
     /// The most that all hands can give, newtons: as far as it is known before they are open, or of the first one as it says itself.
     [[nodiscard]] double force_limit_N(const RunRequest& request) const;
     [[nodiscard]] Expected<void> fit_to_force(const Places& places, const RunRequest& request);
+    [[nodiscard]] WallHolders find_holders(const WallHolders& repeated) const;
     [[nodiscard]] Expected<Plan> compile_scaled(const Places& places, const RunRequest& request,
                                                 std::size_t hand, double factor,
                                                 LessonDescription& scene) const;

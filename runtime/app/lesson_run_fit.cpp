@@ -71,8 +71,10 @@ void LessonRun::take_trial(std::size_t hand, const FirstUse& trial, bool asked,
 double LessonRun::force_limit_N(const RunRequest& request) const {
     double least_N = HandDevice::force_limit_N(request);
     // An arm at the other end of a link tells it when it is open.
-    if (hand_ && request.hand == HandKind::link) {
-        least_N = std::min(least_N, device().traits().max_force_N);
+    for (std::size_t hand = 0; hand_ && hand < n_hands(); ++hand) {
+        if (hand_at(hand).kind() == HandKind::link) {
+            least_N = std::min(least_N, hand_at(hand).device().traits().max_force_N);
+        }
     }
     for (const HandChoice& choice : request.more_hands) {
         RunRequest own = request;
@@ -82,10 +84,23 @@ double LessonRun::force_limit_N(const RunRequest& request) const {
     return least_N;
 }
 
-// Weights that were fitted to more than the arm can give are fitted again, so that what is heavier is felt heavier; and walls, to the way to
-// an arm on a link.
+// For which walls are made stable: open devices, and those that were where they are repeated.
+WallHolders LessonRun::find_holders(const WallHolders& repeated) const {
+    WallHolders holders;
+    for (std::size_t hand = 0; hand <= more_hands_.size(); ++hand) {
+        const HandDevice& device = hand_at(hand);
+        const bool is_repeated = device.kind() == HandKind::replay && hand < repeated.size();
+        holders.push_back(is_repeated ? repeated[hand]
+                                      : device.wall_holder().value_or(WallHolder{}));
+    }
+    return holders;
+}
+
+// Weights that were fitted to more than the newest device can give are fitted again, so that what is heavier is felt heavier; and walls, to what
+// that holds, and to the way to an arm on a link.
 Expected<void> LessonRun::fit_to_force(const Places& places, const RunRequest& request) {
-    if (force_limit_N(request) >= plan_.haptic.safety.max_force_N && !hand_->wall_holder()) {
+    const bool has_holder = hand_at(n_hands() - 1).wall_holder().has_value();
+    if (force_limit_N(request) >= plan_.haptic.safety.max_force_N && !has_holder) {
         return {};
     }
     auto plan = compile(places, request, scene_);

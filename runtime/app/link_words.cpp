@@ -34,15 +34,29 @@ Error explain_silence(const LinkStatus& status, bool is_refused, const std::stri
                 key_file + "; if none does, see to that computer and the network"};
 }
 
+namespace {
+
+std::string in_ms(double seconds) {
+    return std::to_string(std::lround(1.0e3 * seconds)) + " ms";
+}
+
+std::string describe_time(double round_trip_s) {
+    return "The way to the arm takes " + in_ms(round_trip_s) + " there and back";
+}
+
+}  // namespace
+
 std::string describe_way(const LinkStatus& status, double most_round_trip_s) {
-    const auto in_ms = [](double seconds) {
-        return std::to_string(std::lround(1.0e3 * seconds)) + " ms";
-    };
-    const std::string takes =
-        "The way to the arm takes " + in_ms(status.newest_round_trip_s) + " there and back";
+    const std::string takes = describe_time(status.newest_round_trip_s);
     return status.too_long ? takes + ", too long for forces (" + in_ms(most_round_trip_s) +
                                  " at most): there are none until it is quicker."
                            : takes + " now: forces come back, softly.";
+}
+
+std::string describe_slower_way(const LinkStatus& status, double made_for_s) {
+    return describe_time(status.round_trip_s) + " now, and what is touched was made for " +
+           in_ms(made_for_s) +
+           ": it may tremble. Stop and start again, and it will be as soft as the way needs it.";
 }
 
 }  // namespace fulcrum::runtime

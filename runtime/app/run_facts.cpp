@@ -101,12 +101,15 @@ void add_options(const FactSources& run, Facts& facts) {
     facts.add("option.day", run.plan.day);
     facts.add(kScaleFact, run.plan.haptic.workspace.scale / run.lesson.hand.scale);
     facts.add("option.device N", run.device_force_limit_N);
-    const WallHolder& holder = run.plan.holder;
-    facts.add(kHolderFact, holder.name);
-    facts.add(kHolderMassFact, holder.mass_kg);
-    facts.add(kHolderDampingFact, holder.damping_Ns_per_m);
-    facts.add(kHolderForceFact, holder.max_force_N);
-    facts.add(kHolderLinkFact, holder.link_s);
+    for (std::size_t i = 0; i < run.plan.holders.size(); ++i) {
+        const WallHolder& holder = run.plan.holders[i];
+        const std::string prefix = i > 0 ? fact_prefix(i) : std::string();
+        facts.add(prefix + kHolderFact, holder.name);
+        facts.add(prefix + kHolderMassFact, holder.mass_kg);
+        facts.add(prefix + kHolderDampingFact, holder.damping_Ns_per_m);
+        facts.add(prefix + kHolderForceFact, holder.max_force_N);
+        facts.add(prefix + kHolderLinkFact, holder.link_s);
+    }
     facts.add(kFeedbackFact,
               feedback_text(run.request.feedback.value_or(run.request.kept_feedback)));
     facts.add("option.hearing", std::string(name_of(run.plan.speech)));

@@ -179,7 +179,7 @@ Expected<RunRequest> with_record(RunRequest request) {
             request.hand_file.string(), "record the run again");
     }
     return std::move(loaded).map([&](Record&& record) {
-        const auto number = [&](const char* name, auto& value) {
+        const auto number = [&](const std::string& name, auto& value) {
             if (const auto text = find_fact(record.header, name)) {
                 auto read = value;
                 if (std::from_chars(text->data(), text->data() + text->size(), read).ec ==
@@ -199,12 +199,16 @@ Expected<RunRequest> with_record(RunRequest request) {
             request.kept_feedback =
                 dialogue::read_ladder_text(*text).value_or(dialogue::FeedbackLadder{});
         }
-        WallHolder& holder = request.plan.holder;
-        holder.name = find_fact(record.header, kHolderFact).value_or(holder.name);
-        number(kHolderMassFact, holder.mass_kg);
-        number(kHolderDampingFact, holder.damping_Ns_per_m);
-        number(kHolderForceFact, holder.max_force_N);
-        number(kHolderLinkFact, holder.link_s);
+        request.plan.holders.resize(1 + record.more_hands.size());
+        for (std::size_t i = 0; i < request.plan.holders.size(); ++i) {
+            WallHolder& holder = request.plan.holders[i];
+            const std::string prefix = i > 0 ? fact_prefix(i) : std::string();
+            holder.name = find_fact(record.header, prefix + kHolderFact).value_or(holder.name);
+            number(prefix + kHolderMassFact, holder.mass_kg);
+            number(prefix + kHolderDampingFact, holder.damping_Ns_per_m);
+            number(prefix + kHolderForceFact, holder.max_force_N);
+            number(prefix + kHolderLinkFact, holder.link_s);
+        }
         // Who is not told otherwise repeats all hands.
         for (std::size_t i = request.more_hands.size(); i < record.more_hands.size(); ++i) {
             HandChoice repeated;

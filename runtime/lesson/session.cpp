@@ -48,7 +48,8 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
     }
     ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}, plan.day, std::move(past)};
     for (const MaterialFacts& facts : plan.material_facts) {
-        ready.materials.push_back({facts.hardness, facts.roughness, facts.slipperiness});
+        ready.materials.push_back(
+            {facts.hardness, facts.roughness, facts.slipperiness, facts.stiffness_N_per_m});
     }
     queued_.push_back(std::move(ready));
 }

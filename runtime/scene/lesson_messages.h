@@ -61,11 +61,12 @@ struct AskedEvent {
     std::vector<std::pair<std::string, std::string>> slots;
 };
 
-/// What can be said of a material, each from 0 to 1; from 0.5 on it is hard, rough, slippery (haptics/surface/material.h).
+/// What can be said of a material as it is felt. Grades from 0 to 1; from 0.5 on it is hard, rough, slippery (haptics/surface/material.h).
 struct MaterialGrades {
     double hardness = 0.0;
     double roughness = 0.0;
     double slipperiness = 0.0;
+    double stiffness_N_per_m = 0.0;  ///< as these devices are given it, in the hand's metres
 };
 
 /// What the learner has answered to a question in earlier sessions, of this lesson or another.

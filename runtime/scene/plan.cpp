@@ -88,11 +88,11 @@ Plan begin_plan(const LessonDescription& lesson, const PlanOptions& options) {
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
     apply(options.site, plan.safety);
-    plan.coupling = make_usual_coupling(plan, options.holder, lesson.hand.scale);
+    plan.coupling = make_usual_coupling(plan, options.holders, lesson.hand.scale);
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
-    add_forces(lesson, options.holder, begun);
-    tell_usual_coupling(lesson, options.holder, begun);
+    add_forces(lesson, options.holders, begun);
+    tell_usual_coupling(lesson, options.holders, begun);
     return begun;
 }
 
@@ -310,7 +310,7 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
     plan.record = options.record;
     plan.live = options.live;
     plan.day = options.day;
-    plan.holder = options.holder;
+    plan.holders = options.holders;
     plan.dialogue = !lesson.questions.empty() || !lesson.knowledge.empty();
     plan.free_english = !lesson.questions.empty() && lesson.free_english;
     plan.speech = options.speech;
@@ -337,7 +337,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     }
 
     Plan plan = begin_plan(lesson, options);
-    const auto materials = make_materials(lesson, options.holder, load_picture, plan);
+    const auto materials = make_materials(lesson, options.holders, load_picture, plan);
     if (!materials) {
         return tl::unexpected(materials.error());
     }

@@ -66,11 +66,11 @@ struct PlanOptions {
     SiteLimits site{};
     /// What the device can give; infinite for one that renders no force
     double device_force_limit_N = std::numeric_limits<double>::infinity();
-    WallHolder holder{};               ///< for which walls are made stable
-    std::size_t n_hands = kMostHands;  ///< that somebody moves: no more are planned
-    bool picture = true;               ///< a window or a screenshot is wanted
-    bool sound = true;                 ///< false under --mute and --headless
-    bool record = false;               ///< --record was given
+    WallHolders holders{WallHolder{}};  ///< for which walls are made stable, one at least
+    std::size_t n_hands = kMostHands;   ///< that somebody moves: no more are planned
+    bool picture = true;                ///< a window or a screenshot is wanted
+    bool sound = true;                  ///< false under --mute and --headless
+    bool record = false;                ///< --record was given
     bool live =
         false;  ///< a hand waits for each step; false: the clock is virtual, and all is exact
     double day = kTestDay;  ///< today, as the lesson is told: days since noon of 1 January 2000
@@ -126,7 +126,7 @@ struct Plan {
         1.0;  ///< the factor that fitted the felt weights under the limit, at most 1
     std::vector<ShapeSource>
         tool_shapes;      ///< with a tool: of each solid as it meets it, then of its own points
-    WallHolder holder{};  ///< for which its walls were made stable
+    WallHolders holders;  ///< for which its walls were made stable
     std::vector<std::string>
         notices;  ///< what a teacher should know of this scene, a sentence each
     std::vector<PlanStage>

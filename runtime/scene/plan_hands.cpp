@@ -81,7 +81,7 @@ Expected<void> add_more_hands(const LessonDescription& lesson, const SolidLoader
         HapticPlan hand = plan.haptic;
         hand.workspace.pose_WD.position = seen.hand.centre_W;
         hand.workspace.scale = seen.hand.scale;
-        hand.coupling = make_usual_coupling(hand, options.holder, seen.hand.scale);
+        hand.coupling = make_usual_coupling(hand, options.holders, seen.hand.scale);
         // The same bodies, as stiff in this hand as in the other one; they are heard of the first.
         hand.solids.clear();
         if (auto solids = add_solids(seen, load_solid, materials, false, hand); !solids) {

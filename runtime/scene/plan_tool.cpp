@@ -10,6 +10,7 @@
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_touch.h"
+#include "runtime/scene/plan_walls.h"
 #include "runtime/scene/shape_models.h"
 #include "runtime/scene/tool_bodies.h"
 #include "runtime/scene/tool_notices.h"
@@ -314,6 +315,9 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!order) {
         return refuse_tool(order.error(), lesson.hand.line);
     }
+    const double kept = fit_tool_spring(lesson, options.holders, plan);
+    order->settings.coupling.shift.stiffness_N_per_m *= kept;
+    order->settings.coupling.turn.stiffness_Nm_per_rad *= kept;
     order->most_force_N = plan.haptic.safety.max_force_N;
     order->settings.budget_us = options.live ? find_budget_us(lesson.hand) : 0.0;
     if (auto good = check_tool_springs(lesson.hand, *order, compute_reach_m(*order->shell));

@@ -102,7 +102,7 @@ Expected<void> add_axle(const BodyDescription& body, HapticPlan& plan) {
 }  // namespace
 
 Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
-                                               const WallHolder& holder,
+                                               const WallHolders& holders,
                                                const PictureLoader& load_picture, Plan& plan) {
     std::vector<Material> materials;
     for (const MaterialDescription& described : lesson.materials) {
@@ -119,7 +119,7 @@ Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
         if (auto good = validate(material); !good) {
             return fail(good.error().message, at_line(described.line), good.error().what_to_do);
         }
-        if (auto good = fit_material(described, holder, material, plan); !good) {
+        if (auto good = fit_material(described, holders, material, plan); !good) {
             return tl::unexpected(good.error());
         }
         materials.push_back(std::move(material));

@@ -24,7 +24,7 @@ inline void scale_coupling(CouplingSettings& coupling, double scale) {
 /// Each material of the lesson ready to be felt, in the hand's metres; pictures are read. Walls are fitted to
 /// the device (plan_walls.h).
 [[nodiscard]] Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
-                                                             const WallHolder& holder,
+                                                             const WallHolders& holders,
                                                              const PictureLoader& load_picture,
                                                              Plan& plan);
 

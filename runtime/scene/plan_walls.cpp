@@ -19,6 +19,25 @@ bool is_softer(const CouplingSettings& felt, const CouplingSettings& wanted) {
            felt.damping_Ns_per_m < wanted.damping_Ns_per_m;
 }
 
+/// Stable in the hand of each: what is stable there once may not be when another has lowered it. `asks` is the last that did.
+CouplingSettings fit_wall_to_all(const CouplingSettings& wanted, const WallHolders& holders,
+                                 const WallLoop& loop, const WallHolder*& asks) {
+    CouplingSettings wall = wanted;
+    bool is_lowered = true;
+    while (is_lowered) {
+        is_lowered = false;
+        for (const WallHolder& holder : holders) {
+            const CouplingSettings fitted = fit_wall(wall, holder, loop);
+            if (is_softer(fitted, wall)) {
+                asks = &holder;
+                is_lowered = true;
+                wall = fitted;
+            }
+        }
+    }
+    return wall;
+}
+
 /// "a stiffness of 4130 N/m and a damping of 4.6 Ns/m"
 std::string text_of(const CouplingSettings& wall) {
     std::ostringstream text;
@@ -43,52 +62,61 @@ Expected<void> refuse_unstable(const MaterialDescription& material, const WallLo
                     text_of(fit_wall(wanted, {}, loop)));
 }
 
-/// Makes it as soft as this device needs it, and tells a teacher of that.
-void soften(const std::string& what, SourceLine line, const WallHolder& holder,
+/// Makes it as soft as these devices need it; the one that asks for it is told to a teacher.
+void soften(const std::string& what, SourceLine line, const WallHolders& holders,
             CouplingSettings& wall, Plan& plan) {
     const CouplingSettings wanted = wall;
-    wall = fit_wall(wanted, holder, loop_of(plan.haptic));
-    if (!is_softer(wall, wanted)) {
+    const WallHolder* asks = nullptr;
+    wall = fit_wall_to_all(wanted, holders, loop_of(plan.haptic), asks);
+    if (asks == nullptr) {
         return;
     }
     std::ostringstream way;
-    if (holder.link_s > 0.0) {
-        way << " over a link of " << 1.0e3 * holder.link_s << " ms there and back";
+    if (asks->link_s > 0.0) {
+        way << " over a link of " << 1.0e3 * asks->link_s << " ms there and back";
     }
     plan.notices.push_back(at_line(line) + ": " + what + " is felt with " + text_of(wall) +
-                           ", not with " + text_of(wanted) + ": with these " + holder.name +
+                           ", not with " + text_of(wanted) + ": with these " + asks->name +
                            way.str() + " would shake in a hand.");
 }
 
 }  // namespace
 
-CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolder& holder,
+CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolders& holders,
                                      double scale) {
-    CouplingSettings coupling = fit_wall({}, holder, loop_of(plan));
+    const WallHolder* asks = nullptr;
+    CouplingSettings coupling = fit_wall_to_all({}, holders, loop_of(plan), asks);
     scale_coupling(coupling, scale);
     return coupling;
 }
 
-void tell_usual_coupling(const LessonDescription& lesson, const WallHolder& holder, Plan& plan) {
+void tell_usual_coupling(const LessonDescription& lesson, const WallHolders& holders, Plan& plan) {
     const auto plain = std::ranges::find_if(lesson.bodies, [](const BodyDescription& body) {
         return body.solid && body.material == kNoMaterial;
     });
     if (plain != lesson.bodies.end() && !lesson.hand.tool) {
         CouplingSettings usual;
-        soften("the " + plain->noun + ", of no material,", plain->line, holder, usual, plan);
+        soften("the " + plain->noun + ", of no material,", plain->line, holders, usual, plan);
     }
 }
 
-Expected<void> fit_material(const MaterialDescription& described, const WallHolder& holder,
+Expected<void> fit_material(const MaterialDescription& described, const WallHolders& holders,
                             Material& material, Plan& plan) {
     if (auto good = refuse_unstable(described, loop_of(plan.haptic)); !good) {
         return good;
     }
-    soften(material.name, described.line, holder, material.coupling, plan);
+    soften(material.name, described.line, holders, material.coupling, plan);
     return {};
 }
 
-void add_forces(const LessonDescription& lesson, const WallHolder& holder, Plan& plan) {
+double fit_tool_spring(const LessonDescription& lesson, const WallHolders& holders, Plan& plan) {
+    const double wanted = lesson.hand.tool->stiffness_N_per_m;
+    CouplingSettings spring{.stiffness_N_per_m = wanted, .damping_Ns_per_m = 0.0};
+    soften("the tool's spring", lesson.hand.line, holders, spring, plan);
+    return spring.stiffness_N_per_m / wanted;
+}
+
+void add_forces(const LessonDescription& lesson, const WallHolders& holders, Plan& plan) {
     // Where the hand goes farther in the scene a spring of the scene is stiffer in the hand.
     const double scale = find_largest_scale(lesson);
     for (const ForceDescription& force : lesson.forces) {
@@ -97,7 +125,7 @@ void add_forces(const LessonDescription& lesson, const WallHolder& holder, Plan&
             CouplingSettings in_hand{.stiffness_N_per_m = field.stiffness_N_per_m * scale,
                                      .damping_Ns_per_m = field.damping_Ns_per_m * scale};
             const CouplingSettings wanted = in_hand;
-            soften("the spring \"" + force.name + "\"", force.line, holder, in_hand, plan);
+            soften("the spring \"" + force.name + "\"", force.line, holders, in_hand, plan);
             if (is_softer(in_hand, wanted)) {
                 field.stiffness_N_per_m = in_hand.stiffness_N_per_m / scale;
                 field.damping_Ns_per_m = in_hand.damping_Ns_per_m / scale;

@@ -10,18 +10,24 @@
 namespace fulcrum::runtime {
 
 /// What is touched and made of nothing: the usual coupling, or what of it is stable, in a hand of that scale.
-[[nodiscard]] CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolder& holder,
-                                                   double scale);
+[[nodiscard]] CouplingSettings make_usual_coupling(const HapticPlan& plan,
+                                                   const WallHolders& holders, double scale);
 
 /// A notice where that is softer than usual and a solid body of the lesson is touched with it.
-void tell_usual_coupling(const LessonDescription& lesson, const WallHolder& holder, Plan& plan);
+void tell_usual_coupling(const LessonDescription& lesson, const WallHolders& holders, Plan& plan);
 
 /// `material` is what was described, in the hand's metres, its picture read. Refuses, with the nearest that is stable, one of which not even the fastest
 /// loop would leave kLeastKept on a desktop arm: it would be another material.
 [[nodiscard]] Expected<void> fit_material(const MaterialDescription& described,
-                                          const WallHolder& holder, Material& material, Plan& plan);
+                                          const WallHolders& holders, Material& material,
+                                          Plan& plan);
+
+/// Of its stiffness as it was declared, what the tool's spring keeps: as a wall's without a damper, since what calms the tool is not felt when it
+/// stands still against something.
+[[nodiscard]] double fit_tool_spring(const LessonDescription& lesson, const WallHolders& holders,
+                                     Plan& plan);
 
 /// Gives the plan the lesson's declared forces. A spring about a place is a wall both ways, in any hand of the lesson.
-void add_forces(const LessonDescription& lesson, const WallHolder& holder, Plan& plan);
+void add_forces(const LessonDescription& lesson, const WallHolders& holders, Plan& plan);
 
 }  // namespace fulcrum::runtime

@@ -23,6 +23,7 @@
 #include "haptics/device/device.h"
 
 #include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -55,6 +56,9 @@ struct WallLoop {
 /// How far inside all bounds above it lies: stable from 1 on.
 [[nodiscard]] double compute_wall_margin(const CouplingSettings& wall, const WallHolder& holder,
                                          const WallLoop& loop);
+
+/// Those that render one lesson, a hand each; what is touched is as stiff in all of them.
+using WallHolders = std::vector<WallHolder>;
 
 /// The wall itself where that is stable; else the nearest that is, in whole tens of N/m and tenths of Ns/m.
 [[nodiscard]] CouplingSettings fit_wall(const CouplingSettings& wanted, const WallHolder& holder,

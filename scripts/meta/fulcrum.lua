@@ -85,7 +85,7 @@ local Body = {}
 ---@field roughness number 0 (smooth) to 1, rough from 0.5 on: from its relief and how it pushes sideways
 ---@field slipperiness number 0 to 1, slippery from 0.5 on, sticky below 0.15: from its friction while it slides
 ---@field words table<string, boolean> what is true of it: hard or soft, rough or smooth, slippery or sticky or neither; material.words.hard is true or nil
----@field stiffness number newtons per metre; of its spring as it was declared; what an arm can't hold is felt softer, and `hardness` follows that
+---@field stiffness number newtons per metre; of its spring: as it was declared until the lesson runs, then as it is felt, which is softer where the device in the hand would shake; `hardness` follows it
 ---@field friction number what holds a resting hand, in parts of how hard it presses
 ---@field ring number hertz; the tone of a tap; 0 when it has none
 local Material = {}

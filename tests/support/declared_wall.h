@@ -86,7 +86,7 @@ inline constexpr double kAboveWall_m = 0.01;
             .and_then([](const TriangleMesh& box) { return CollisionMesh::create(box); });
     };
     runtime::PlanOptions options;
-    options.holder = holder;
+    options.holders = {holder};
     return runtime::compile_plan(make_wall_lesson(wall), options, load)
         .map([](runtime::Plan&& plan) {
             plan.haptic.expects_lesson = false;

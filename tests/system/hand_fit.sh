@@ -82,4 +82,12 @@ expect "$home/guest.log" '^The arm pushes gently' "a guest's arm was not tried"
 expect "$home/guest.log" '^The second arm pushes gently' "a guest's second arm was not tried"
 play_both "$home/again.log"
 refuse "$home/again.log" 'pushes gently' "an arm was tried again"
+# The way to each is measured before anything is planned for it: what is touched is as soft as the longest needs it, and a replay knows that.
+start_arm far_arm --arm desktop --delay 8 --key "$home/config/fulcrum/arm.key"
+"$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --first-use never --hand "udp:127.0.0.1:$first_port" \
+    --hand "udp:127.0.0.1:$port" --say "$home/say.txt" --db "$home/p.db" --seconds 1 --record "$home/far.rec" >"$home/far.log" 2>&1 ||
+    fail "an arm 8 ms away was not played with"
+expect "$home/far.log" 'rock is felt .* over a link of [12][0-9] ms there and back' "the way to the second arm was not planned for"
+"$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --hand "replay:$home/far.rec" >"$home/far_replay.log" 2>&1 ||
+    fail "two arms with a way each were not replayed to the bit: $(tail -n 2 "$home/far_replay.log")"
 echo "hand_fit.sh: passed"

@@ -199,6 +199,14 @@ int get_grade(lua_State* lua, LessonContext& context, std::int32_t index) {
     return 1;
 }
 
+int get_stiffness(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const auto i = static_cast<std::size_t>(index);
+    lua_pushnumber(lua, i < context.grades.size()
+                            ? context.grades[i].stiffness_N_per_m
+                            : felt_of(context, index).coupling.stiffness_N_per_m);
+    return 1;
+}
+
 /// The words that are true of it: { hard = true, smooth = true }.
 int get_words(lua_State* lua, LessonContext& context, std::int32_t index) {
     const MaterialGrades& grades = grades_of(lua, context, index);
@@ -240,9 +248,9 @@ void add_material_properties(ApiTable& table) {
                                 "sticky or neither; material.words.hard is true or nil",
                                 &get_words});
     add("stiffness", "newtons per metre",
-        "of its spring as it was declared; what an arm can't hold is felt softer, and `hardness` "
-        "follows that",
-        &get_number<[](const Material& m) { return m.coupling.stiffness_N_per_m; }>);
+        "of its spring: as it was declared until the lesson runs, then as it is felt, which is "
+        "softer where the device in the hand would shake; `hardness` follows it",
+        &get_stiffness);
     add("friction", "", "what holds a resting hand, in parts of how hard it presses",
         &get_number<[](const Material& m) { return m.friction.static_coefficient; }>);
     add("ring", "hertz", "the tone of a tap; 0 when it has none", &get_number<&ring_of>);

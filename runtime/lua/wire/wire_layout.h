@@ -182,6 +182,7 @@ void event(Archive& a, Event& e) {
             each.number("hardness", grades.hardness, 0.0, 1.0);
             each.number("roughness", grades.roughness, 0.0, 1.0);
             each.number("slipperiness", grades.slipperiness, 0.0, 1.0);
+            each.number("stiffness", grades.stiffness_N_per_m, 0.0, 1e6);
         });
         a.number("today", e.day, -1e6, 1e6);
         a.list("past answers", e.past, kMaxPastAnswers,

@@ -185,6 +185,15 @@ TEST_CASE("link words: a way that becomes too long is told once, and once that i
           "The way to the arm takes 12 ms there and back now: forces come back, softly.");
 }
 
+TEST_CASE("link words: a way that became longer than the walls were made for is told") {
+    LinkStatus status;
+    status.round_trip_s = 0.0171;
+    CHECK(
+        describe_slower_way(status, 0.004) ==
+        "The way to the arm takes 17 ms there and back now, and what is touched was made for 4 ms: "
+        "it may tremble. Stop and start again, and it will be as soft as the way needs it.");
+}
+
 TEST_CASE("link words: through sockets, in mid-run, both sentences come, each once") {
     const Keys keys;
     const auto socket = listen();

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 namespace fulcrum::runtime {
 
 TEST_CASE(
@@ -39,7 +41,7 @@ TEST_CASE(
     plain.bodies.front().material = kNoMaterial;
     plain.bodies.front().model = "sphere";
     PlanOptions options;
-    options.holder = far;
+    options.holders = {far};
     const auto load = [](const BodyDescription& body) {
         return make_box(Vector3::Constant(body.radius_m)).and_then([](const TriangleMesh& box) {
             return CollisionMesh::create(box);
@@ -84,7 +86,7 @@ TEST_CASE(
         return fail("there is no body", {}, {});
     };
     PlanOptions options;
-    options.holder = far;
+    options.holders = {far};
     const auto made = compile_plan(lesson, options, none);
     INFO((made ? "" : to_sentence(made.error())));
     REQUIRE(made);
@@ -96,6 +98,65 @@ TEST_CASE(
     // One that is stable is as it was declared, to the bit.
     lesson.hand.scale = 0.7;
     CHECK(compile_plan(lesson, {}, none).value().haptic.fields.front().stiffness_N_per_m == 100.0);
+}
+
+TEST_CASE("plan: what two devices touch is as soft as the worse of them needs it, which is told") {
+    WallHolder far;
+    far.name = "an arm far away";
+    far.link_s = 0.021;
+    const fulcrum::test::DeclaredWall stiff{.stiffness_N_per_m = 2000.0, .damping_Ns_per_m = 20.0};
+    const auto load = [](const BodyDescription& body) {
+        return make_box(Vector3::Constant(2.0 * body.radius_m))
+            .and_then([](const TriangleMesh& box) { return CollisionMesh::create(box); });
+    };
+    const LessonDescription lesson = fulcrum::test::make_wall_lesson(stiff);
+    const auto felt_by = [&](WallHolders holders) {
+        PlanOptions options;
+        options.holders = std::move(holders);
+        const Plan plan = compile_plan(lesson, options, load).value();
+        REQUIRE(plan.notices.size() == 1);
+        const CouplingSettings felt = *plan.haptic.solids.front().coupling;
+        const WallLoop loop{plan.haptic.rate_hz, plan.haptic.safety.max_slew_N_per_s,
+                            plan.haptic.safety.max_force_N};
+        for (const WallHolder& holder : options.holders) {
+            CHECK(compute_wall_margin(felt, holder, loop) >= 1.0);
+        }
+        return std::pair(felt.stiffness_N_per_m, plan.notices.front());
+    };
+    const auto [alone, told] = felt_by({far});
+    CHECK(felt_by({far, {}}) == std::pair(alone, told));
+    CHECK(felt_by({{}, far}).second.find("an arm far away over a link of 21 ms") !=
+          std::string::npos);
+    CHECK(felt_by({{}, far}).first == Approx(alone).epsilon(0.1));
+}
+
+TEST_CASE("plan: the spring of a tool in the hand is as soft as the device needs it") {
+    LessonDescription lesson = fulcrum::test::make_wall_lesson({.stiffness_N_per_m = 100.0});
+    lesson.hand.tool.emplace();
+    lesson.hand.tool->method = ToolMethod::god_object;
+    lesson.hand.tool->stiffness_N_per_m = 800.0;
+    lesson.hand.line = 5;
+    const auto load = [](const BodyDescription& body) {
+        return make_box(Vector3::Constant(2.0 * body.radius_m))
+            .and_then([](const TriangleMesh& box) { return CollisionMesh::create(box); });
+    };
+    PlanOptions options;
+    const auto coupling_of = [&] {
+        return compile_plan(lesson, options, load).value().haptic.tool->settings.coupling;
+    };
+    const ToolCouplingSettings at_hand = coupling_of();
+    CHECK(at_hand.shift.stiffness_N_per_m == 800.0);
+    options.holders[0].name = "an arm far away";
+    options.holders[0].link_s = 0.021;
+    const ToolCouplingSettings away = coupling_of();
+    CHECK(away.shift.stiffness_N_per_m < 200.0);
+    // It turns as much softer.
+    CHECK(away.turn.stiffness_Nm_per_rad * at_hand.shift.stiffness_N_per_m ==
+          Approx(at_hand.turn.stiffness_Nm_per_rad * away.shift.stiffness_N_per_m));
+    const auto notices = compile_plan(lesson, options, load).value().notices;
+    CHECK(std::ranges::any_of(notices, [](const std::string& told) {
+        return told.find("5: the tool's spring is felt with a stiffness of ") != std::string::npos;
+    }));
 }
 
 }  // namespace fulcrum::runtime

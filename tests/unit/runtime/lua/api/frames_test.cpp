@@ -157,11 +157,13 @@ TEST_CASE("materials: what they are like is known once the lesson runs, to the h
     REQUIRE(
         lesson.load(
             "local a function L:start(world) a = world:body { name = 'a', solid = true, material = "
-            "'rock' } end\nfunction L:update() print(a.material.hardness, a.material.roughness, "
-            "a.material.slipperiness) end",
+            "'rock' } print(a.material.stiffness) end\nfunction L:update() "
+            "print(a.material.hardness, a.material.roughness, a.material.slipperiness, "
+            "a.material.stiffness) end",
             "return function(hand, t, world) print(world:find('a').material.roughness) end") == "");
-    CHECK(lesson.play(lesson.frame({ReadyEvent{{0.0}, 1.0, {{0.75, 0.5, 0.25}}}})) == "");
-    CHECK(lesson.prints == "0.75\t0.5\t0.25;0.5;");
+    CHECK(lesson.play(lesson.frame({ReadyEvent{{0.0}, 1.0, {{0.75, 0.5, 0.25, 160.0}}}})) == "");
+    // Softer than it was declared, where the device needs that.
+    CHECK(lesson.prints == "1000.0;0.75\t0.5\t0.25\t160.0;0.5;");
 }
 
 TEST_CASE(
