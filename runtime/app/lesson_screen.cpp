@@ -345,27 +345,30 @@ void LessonScreen::show_hints(View& view) const {
     if (view.banner.empty() && !before.empty()) {
         view.banner = catalogue_.say("hud.said_before", {{"text", before}});
     }
-    if (view.banner.empty() && says_how_to_move()) {
-        const bool left_handed = run_->left_handed();
-        const bool with_mouse = run_->find_hand(HandKind::mouse).has_value();
-        view.banner =
-            catalogue_.say(run_->find_hand(HandKind::keys)
-                               ? how_to_move_two(with_mouse, left_handed)
-                               : how_to_move(request_, run_->plan().kite.has_value(), left_handed));
-        if (run_->session().hud().may_ask) {
-            view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
-        }
-        if (run_->tells_why()) {
-            view.banner += " " + catalogue_.say("hud.why_help", {{"key", "F3"}});
-        }
+    const bool is_begun = monotonic_now_s() - level_began_s_ < kHelp_s;
+    if (view.banner.empty() && is_begun && !run_->session().result().finished) {
+        view.banner = say_begin_help(find_begin_help(), catalogue_);
     }
 }
 
-// What somebody with a mouse must know who sees this for the first time, or the first thing to do of a level.
-bool LessonScreen::says_how_to_move() const {
-    const bool is_new = run_->find_hand(HandKind::mouse) || run_->find_hand(HandKind::hid);
-    return is_new && !run_->session().result().finished &&
-           monotonic_now_s() - level_began_s_ < kHelp_s;
+BeginHelp LessonScreen::find_begin_help() const {
+    const bool is_hid = request_.hand == HandKind::hid;
+    const bool is_cap = is_hid && request_.hid.form == hid::HandForm::space_mouse;
+    BeginHelp help;
+    help.has_mouse = run_->find_hand(HandKind::mouse).has_value();
+    help.has_keys = run_->find_hand(HandKind::keys).has_value();
+    help.has_cap = is_cap;
+    help.has_stick = is_hid && !is_cap;
+    help.has_reel = run_->plan().kite.has_value();
+    help.left_handed = run_->left_handed();
+    help.may_ask = run_->session().hud().may_ask;
+    help.tells_why = run_->tells_why();
+    for (std::size_t hand = 0; hand < run_->n_hands(); ++hand) {
+        if (run_->hand_to_try(hand).can_push()) {
+            help.softer = run_->plan().softer;
+        }
+    }
+    return help;
 }
 
 void LessonScreen::save_wanted_screenshot(bool last_frame) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dialogue/catalogue.h"
+#include "runtime/app/begin_help.h"
 #include "runtime/app/choice_picture.h"
 #include "runtime/app/desktop.h"
 #include "runtime/app/lesson_input.h"
@@ -63,7 +64,7 @@ class LessonScreen {
     [[nodiscard]] View compose() const;
     [[nodiscard]] ScreenTrouble find_trouble() const;
     void show_hints(View& view) const;
-    [[nodiscard]] bool says_how_to_move() const;
+    [[nodiscard]] BeginHelp find_begin_help() const;
     void save_wanted_screenshot(bool last_frame);
 
     const Places& places_;

@@ -161,13 +161,6 @@ Expected<std::vector<std::string>> settle_hands(const LessonDescription& lesson,
         });
 }
 
-const char* how_to_move(const RunRequest& request, bool has_reel, bool left_handed) noexcept {
-    if (request.hand == HandKind::hid) {
-        return request.hid.form == hid::HandForm::space_mouse ? "hud.cap_help" : "hud.stick_help";
-    }
-    return has_reel ? "hud.reel_help" : left_handed ? "hud.left_mouse_help" : "hud.mouse_help";
-}
-
 Expected<RunRequest> with_record(RunRequest request) {
     if (request.hand != HandKind::replay) {
         return request;
@@ -237,13 +230,6 @@ bool repeats_input(const RunRequest& request) noexcept {
     constexpr std::uint32_t kFirstThatTells = 5;
     return request.replayed != nullptr && request.replayed->version >= kFirstThatTells &&
            request.say.empty() && !request.learner_rates && request.plan.hearing.recordings.empty();
-}
-
-const char* how_to_move_two(bool with_mouse, bool left_handed) noexcept {
-    if (with_mouse) {
-        return left_handed ? "hud.left_two_hands_help" : "hud.two_hands_help";
-    }
-    return left_handed ? "hud.left_keys_help" : "hud.keys_help";
 }
 
 void play_by(PlayedBy by, RunRequest& request) {

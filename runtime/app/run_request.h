@@ -51,9 +51,6 @@ struct RunRequest : HandChoice {
 [[nodiscard]] Expected<std::vector<std::string>> settle_hands(const LessonDescription& lesson,
                                                               RunRequest& request);
 
-/// Which words say how the hand is moved: the catalogue's key, in the words of what is held; `has_reel` where a kite flies.
-[[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel,
-                                      bool left_handed) noexcept;
 /// A record's fact: how far the hand went in the scene, times the lesson's own scale.
 inline constexpr const char* kScaleFact = "option.scale";
 /// A record's fact: the ladder of feedback, or that it was the lesson's.
@@ -73,8 +70,6 @@ inline constexpr const char* kHolderLinkFact = "option.walls link s";
 [[nodiscard]] RunRequest of_hand(const RunRequest& request, std::size_t hand);
 /// Whether the record of such a request tells what was typed, said and pressed, so that nobody else need answer.
 [[nodiscard]] bool repeats_input(const RunRequest& request) noexcept;
-/// The same where keys move a hand of their own, and the mouse another one or none.
-[[nodiscard]] const char* how_to_move_two(bool with_mouse, bool left_handed) noexcept;
 /// Lets the lesson's simulated hand play by this.
 void play_by(PlayedBy by, RunRequest& request);
 

@@ -127,6 +127,7 @@ struct Plan {
     std::vector<ShapeSource>
         tool_shapes;      ///< with a tool: of each solid as it meets it, then of its own points
     WallHolders holders;  ///< for which its walls were made stable
+    std::vector<std::string> softer;  ///< what is less stiff for that: materials, bodies of none
     std::vector<std::string>
         notices;  ///< what a teacher should know of this scene, a sentence each
     std::vector<PlanStage>

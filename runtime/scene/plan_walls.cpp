@@ -62,14 +62,14 @@ Expected<void> refuse_unstable(const MaterialDescription& material, const WallLo
                     text_of(fit_wall(wanted, {}, loop)));
 }
 
-/// Makes it as soft as these devices need it; the one that asks for it is told to a teacher.
-void soften(const std::string& what, SourceLine line, const WallHolders& holders,
+/// Makes it as soft as these devices need it; the one that asks for it is told to a teacher. True where it is less stiff.
+bool soften(const std::string& what, SourceLine line, const WallHolders& holders,
             CouplingSettings& wall, Plan& plan) {
     const CouplingSettings wanted = wall;
     const WallHolder* asks = nullptr;
     wall = fit_wall_to_all(wanted, holders, loop_of(plan.haptic), asks);
     if (asks == nullptr) {
-        return;
+        return false;
     }
     std::ostringstream way;
     if (asks->link_s > 0.0) {
@@ -78,6 +78,7 @@ void soften(const std::string& what, SourceLine line, const WallHolders& holders
     plan.notices.push_back(at_line(line) + ": " + what + " is felt with " + text_of(wall) +
                            ", not with " + text_of(wanted) + ": with these " + asks->name +
                            way.str() + " would shake in a hand.");
+    return wall.stiffness_N_per_m < wanted.stiffness_N_per_m;
 }
 
 }  // namespace
@@ -96,7 +97,9 @@ void tell_usual_coupling(const LessonDescription& lesson, const WallHolders& hol
     });
     if (plain != lesson.bodies.end() && !lesson.hand.tool) {
         CouplingSettings usual;
-        soften("the " + plain->noun + ", of no material,", plain->line, holders, usual, plan);
+        if (soften("the " + plain->noun + ", of no material,", plain->line, holders, usual, plan)) {
+            plan.softer.push_back(plain->noun);
+        }
     }
 }
 
@@ -105,7 +108,9 @@ Expected<void> fit_material(const MaterialDescription& described, const WallHold
     if (auto good = refuse_unstable(described, loop_of(plan.haptic)); !good) {
         return good;
     }
-    soften(material.name, described.line, holders, material.coupling, plan);
+    if (soften(material.name, described.line, holders, material.coupling, plan)) {
+        plan.softer.push_back(material.name);
+    }
     return {};
 }
 

@@ -2,8 +2,8 @@
 #include "dialogue/conversation/conversation.h"
 #include "dialogue/marked_text.h"
 #include "dialogue/result.h"
+#include "tests/support/english_words.h"
 #include "tests/unit/dialogue/rig.h"
-#include "tests/unit/dialogue/words.h"
 
 #include <rapidcheck.h>
 

@@ -1,9 +1,9 @@
 #include "dialogue/conversation/conversation.h"
 #include "dialogue/conversation/help.h"
 #include "dialogue/conversation/recast.h"
+#include "tests/support/english_words.h"
 #include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
-#include "tests/unit/dialogue/words.h"
 
 using namespace fulcrum::dialogue;
 

@@ -3,9 +3,9 @@
 #include "dialogue/marking/grammar_point.h"
 #include "dialogue/marking/question.h"
 #include "dialogue/marking/question_review.h"
+#include "tests/support/english_words.h"
 #include "tests/unit/dialogue/questions.h"
 #include "tests/unit/dialogue/rig.h"
-#include "tests/unit/dialogue/words.h"
 
 #include <rapidcheck.h>
 

@@ -1,12 +1,14 @@
 #include "haptics/base/clock.h"
 #include "haptics/link/arm_server.h"
 #include "haptics/link/link_faults.h"
+#include "runtime/app/begin_help.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/app/link_words.h"
 #include "runtime/app/options.h"
 #include "runtime/app/shown_sentences.h"
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"
+#include "tests/support/english_words.h"
 #include "tests/support/scripted_device.h"
 #include "tests/unit/runtime/rig.h"
 
@@ -234,6 +236,27 @@ TEST_CASE("link words: through sockets, in mid-run, both sentences come, each on
     const std::string quick = play(3.0);
     check_says(quick, {"forces come back, softly"});
     CHECK(quick.find("The way", 1) == std::string::npos);
+}
+
+TEST_CASE(
+    "begin help: who holds what is told how it moves, and who feels, what is softer than it is") {
+    const dialogue::Catalogue words = dialogue::english_words();
+    CHECK(say_begin_help({}, words).empty());
+    BeginHelp help;
+    help.has_mouse = true;
+    CHECK(say_begin_help(help, words) == words.say("hud.mouse_help"));
+    help.may_ask = help.tells_why = true;
+    check_says(say_begin_help(help, words), {words.say("hud.mouse_help").c_str(), "Tab", "F3"});
+    help.has_keys = help.left_handed = true;
+    check_says(say_begin_help(help, words), {words.say("hud.left_two_hands_help").c_str()});
+    // An arm shows by itself how it moves.
+    const std::vector<std::string> things{"metal", "rock"};
+    BeginHelp arm;
+    arm.softer = things;
+    CHECK(say_begin_help(arm, words) ==
+          "In your hand these are softer than they are: metal, rock.");
+    arm.has_stick = true;
+    check_says(say_begin_help(arm, words), {words.say("hud.stick_help").c_str(), "metal, rock."});
 }
 
 TEST_CASE("shown sentences: each is told once, with the line where it or most of it is written") {

@@ -1,5 +1,6 @@
 #include "runtime/lesson/why_shown.h"
 
+#include "tests/support/english_words.h"
 #include "tests/unit/runtime/rig.h"
 
 #include <cstdio>
@@ -7,13 +8,6 @@
 using namespace fulcrum::runtime::test;
 
 namespace {
-
-// Those of the program.
-dialogue::Catalogue words() {
-    std::ifstream file(FULCRUM_SOURCE_DIR "/assets/words/en.txt");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return dialogue::Catalogue::parse(text).value();
-}
 
 const EffectSlot kTwo[] = {{Effect::contact}, {Effect::weight}};
 
@@ -38,7 +32,7 @@ HapticState state_of(double asked_N, double felt_N) {
 TEST_CASE("why shown: the strongest first, each against the strongest, what acts against said so") {
     WhyShown why(kTwo, {}, {5.0, 0.3});
     why.look(shares_of(4.0, 1.0), state_of(3.0, 3.0), 1.0);
-    const ViewWhy shown = why.show(words());
+    const ViewWhy shown = why.show(dialogue::english_words());
     CHECK(shown.visible);
     CHECK(shown.title == "Why do I feel this?");
     REQUIRE(shown.shares.size() == 2);
@@ -54,7 +48,7 @@ TEST_CASE("why shown: the strongest first, each against the strongest, what acts
 TEST_CASE("why shown: what limit and gate take is told, what nobody notices is not") {
     WhyShown why(kTwo, {}, {5.0, 0.3});
     why.look(shares_of(8.0, 0.04), state_of(7.96, 2.0), 1.0);
-    const ViewWhy shown = why.show(words());
+    const ViewWhy shown = why.show(dialogue::english_words());
     REQUIRE(shown.shares.size() == 3);
     CHECK(shown.shares[1].name == "held back");  // 3 N: from 5 to 2
     CHECK(shown.shares[1].amount == "3.0 N down");
@@ -64,23 +58,23 @@ TEST_CASE("why shown: what limit and gate take is told, what nobody notices is n
     // What is held back wholly is against it, too.
     WhyShown closed(kTwo, {}, {5.0, 0.3});
     closed.look(shares_of(3.0, 0.0), state_of(3.0, 0.0), 1.0);
-    REQUIRE(closed.show(words()).shares.size() == 2);
-    CHECK_FALSE(closed.show(words()).shares[0].against);
-    CHECK(closed.show(words()).shares[1].name == "held back");
-    CHECK(closed.show(words()).shares[1].against);
+    REQUIRE(closed.show(dialogue::english_words()).shares.size() == 2);
+    CHECK_FALSE(closed.show(dialogue::english_words()).shares[0].against);
+    CHECK(closed.show(dialogue::english_words()).shares[1].name == "held back");
+    CHECK(closed.show(dialogue::english_words()).shares[1].against);
     WhyShown none(kTwo, {}, {5.0, 0.3});
     none.look(shares_of(0.01, 0.01), state_of(0.0, 0.0), 1.0);
-    REQUIRE(none.show(words()).shares.size() == 1);
-    CHECK(none.show(words()).shares[0].name == "You feel nothing now.");
+    REQUIRE(none.show(dialogue::english_words()).shares.size() == 1);
+    CHECK(none.show(dialogue::english_words()).shares[0].name == "You feel nothing now.");
 }
 
 TEST_CASE("why shown: shares follow within their time, all alike, not where time stands still") {
     WhyShown why(kTwo, {}, {50.0, 0.3});
     why.look(shares_of(0.0, 0.0), state_of(0.0, 0.0), 1.0);
     why.look(shares_of(9.0, 3.0), state_of(6.0, 6.0), 1.0);  // the same moment
-    CHECK(why.show(words()).shares[0].name == "You feel nothing now.");
+    CHECK(why.show(dialogue::english_words()).shares[0].name == "You feel nothing now.");
     why.look(shares_of(9.0, 3.0), state_of(6.0, 6.0), 1.0 + kCalm_s);
-    const ViewWhy shown = why.show(words());
+    const ViewWhy shown = why.show(dialogue::english_words());
     const double follows = 1.0 - std::exp(-1.0);
     char text[32];
     std::snprintf(text, sizeof text, "%.1f N up", 9.0 * follows);
@@ -89,12 +83,12 @@ TEST_CASE("why shown: shares follow within their time, all alike, not where time
     for (int i = 1; i < 100; ++i) {
         why.look(shares_of(9.0, 3.0), state_of(6.0, 6.0), 1.0 + kCalm_s + 0.1 * i);
     }
-    CHECK(why.show(words()).shares[0].amount == "9.0 N up");
+    CHECK(why.show(dialogue::english_words()).shares[0].amount == "9.0 N up");
 }
 
 TEST_CASE("why shown: the catalogue has words for each effect; a lesson's force has its name") {
     const std::vector<ForceDescription> forces{{"breeze", {}, 3}};
-    const dialogue::Catalogue catalogue = words();
+    const dialogue::Catalogue catalogue = dialogue::english_words();
     std::set<std::string> seen;
     for (std::size_t kind = 0; kind < kEffectKinds; ++kind) {
         const EffectSlot one[] = {{static_cast<Effect>(kind), 0}};

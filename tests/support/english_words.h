@@ -2,7 +2,11 @@
 #pragma once
 
 #include "dialogue/catalogue.h"
-#include "tests/unit/dialogue/rig.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
 
 namespace fulcrum::dialogue {
 
