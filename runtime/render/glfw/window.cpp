@@ -19,8 +19,6 @@ namespace fulcrum::runtime {
 
 namespace {
 
-bool a_window_is_open = false;
-
 std::atomic<void (*)() noexcept> leave_lost_screen{nullptr};
 
 // Xlib's, found by name: its header would be the only use of its package.
@@ -217,20 +215,22 @@ struct Window::Parts {
             glfwDestroyWindow(window);
         }
         glfwTerminate();
-        a_window_is_open = false;
     }
 };
 
+namespace {
+bool names_any_display() {
+    return names_display("DISPLAY") || names_display("WAYLAND_DISPLAY");
+}
+}  // namespace
+
 bool display_available() {
-    if (!names_display("DISPLAY") && !names_display("WAYLAND_DISPLAY")) {
+    if (!names_any_display()) {
         return false;
     }
+    // It is not taken back: an X server whose last client has left begins anew, and refuses who comes back at once.
     const bool available = glfwInit() == GLFW_TRUE;
     glfwGetError(nullptr);
-    // A window that is open keeps GLFW going; only a bare trial is taken back.
-    if (available && !a_window_is_open) {
-        glfwTerminate();
-    }
     return available;
 }
 
@@ -238,7 +238,7 @@ Window::Window(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Window::~Window() = default;
 
 Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int width, int height) {
-    if (!display_available()) {
+    if (!names_any_display()) {
         return fail("there is no display to open a window on", {},
                     "log in at a screen or run with --headless");
     }
@@ -253,7 +253,6 @@ Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int w
         return fail("no window with OpenGL 3.3 can be opened" + last_complaint(), {},
                     "update the graphics driver or run with --headless");
     }
-    a_window_is_open = true;
     watch_for_lost_screen();
     glfwMakeContextCurrent(parts->window);
     glfwSwapInterval(1);
