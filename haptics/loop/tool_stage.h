@@ -113,7 +113,7 @@ class ToolStage {
     std::vector<MovingFrame> frames_;  // of the solids, for the tool
     std::vector<SolidPush> pushes_;
     WrenchLoan relief_loan_{};
-    WrenchLoan even_loan_{};
+    WrenchLoan even_loan_;
     Pose hand_W_{};                  // in the round before
     Pose hand_B_{};                  // likewise, as seen from what lent
     std::int32_t lender_ = kNoBody;  // what was pressed hardest then

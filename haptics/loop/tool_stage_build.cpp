@@ -27,6 +27,7 @@ ToolStage::ToolStage(const HapticPlan& plan)
       tracks_(plan.solids.size()),
       frames_(plan.solids.size()),
       pushes_(plan.solids.size()),
+      even_loan_(plan.shading_loan),
       lateness_(beside() != nullptr ? std::make_unique<ContactLateness>() : nullptr) {}
 
 ToolStage::~ToolStage() = default;

@@ -33,9 +33,19 @@ inline constexpr double kUnfelt_N = 0.01;
 inline constexpr double kUnfeltAt_m =
     0.015;  ///< and of a turn that at this distance, as of a handle
 
+/// Fixed at load.
+struct EnergyLoanSettings {
+    double debt_memory_s = kDebtMemory_s;  ///< in which a debt fades, 0.01 to 1e6
+    double share = 1.0;                    ///< of what is asked to be lent, 0 to 100
+};
+
 /// How much is owed, and how much of what is given goes beyond the limit.
 class LoanAccount {
   public:
+    LoanAccount() = default;
+    /// Takes settings that `validate` accepted (surface_plan.h).
+    explicit LoanAccount(const EnergyLoanSettings& settings) noexcept : settings_(settings) {}
+
     /// The limit is at least `limit_J` now; a higher one from before falls towards it in `dt_s`. Not finite or negative: 0.
     void allow(double limit_J, double dt_s) noexcept;
     /// Nothing is owed and nothing allowed.
@@ -49,12 +59,16 @@ class LoanAccount {
     [[nodiscard]] double limit_J() const noexcept { return limit_J_; }
 
   private:
+    EnergyLoanSettings settings_{};
     double limit_J_ = 0.0;
     double owed_J_ = 0.0;
 };
 
 class EnergyLoan {
   public:
+    EnergyLoan() = default;
+    explicit EnergyLoan(const EnergyLoanSettings& settings) noexcept : account_(settings) {}
+
     /// As LoanAccount::allow.
     void allow(double limit_J, double dt_s) noexcept { account_.allow(limit_J, dt_s); }
     /// The surface was left `dt_s` ago, or in the round before: what is owed stays owed.
@@ -72,13 +86,16 @@ class EnergyLoan {
     [[nodiscard]] double limit_J() const noexcept { return account_.limit_J(); }
 
   private:
-    LoanAccount account_{};
+    LoanAccount account_;
     Vector3 force_W_{Vector3::Zero()};
 };
 
 /// Likewise of a wrench, whose moments are about where the motion is told.
 class WrenchLoan {
   public:
+    WrenchLoan() = default;
+    explicit WrenchLoan(const EnergyLoanSettings& settings) noexcept : account_(settings) {}
+
     struct Counted {
         ElasticForce force{};
         ElasticForce torque{};
@@ -102,7 +119,7 @@ class WrenchLoan {
     [[nodiscard]] Wrench lend(const Wrench& wrench_W, const Way& motion_W,
                               const Way& against_W) noexcept;
 
-    LoanAccount account_{};
+    LoanAccount account_;
     Wrench wrench_W_{};
 };
 
