@@ -1,12 +1,16 @@
 // A solid as a cursor meets it: how far they are apart, and where on its way the cursor comes too near.
 //
-// The cursor is a convex shape that moves without turning, a ball unless something else is said. A solid is made of features, each
-// convex (a triangle, or the whole shape), so the gap between cursor and feature
+// The cursor is a convex shape that goes its ways without turning, a ball unless something else is said. A solid is made of features,
+// each convex (a triangle, or the whole shape), so the gap between cursor and feature
 //   f(x) = distance(feature, cursor at x)
 // is a convex function of the cursor's place x, with the gradient n: the direction from the feature to the cursor. Hence
 //   - all places y with n . (y - x) >= -f(x) are free of the feature, and so is all of a segment that both ends are free by one n;
 //   - Newton's method on f along a segment never steps past the first place where f falls to a level, and is fast.
 // A feature may have an inside, where f is negative; a triangle has none: both its faces are solid.
+// Between its ways the cursor may turn, and come elsewhere with that. Let n be the direction of the feature's gap where it was, and
+//   g = least n . c - greatest n . p,    c in the cursor turned and come there, p in the feature
+// Where g >= 0 one plane across n kept them apart before and does so now: out along n, turned there, and back again is a way without a
+// meeting, whatever the turn. So a cursor that has turned is met where g falls below the level.
 //
 // Thread: haptic loop. Cost: a feature some tens of nanoseconds; no allocation after construction.
 // Source: the inner half-space and linear casting as in G. van den Bergen 2004, Ray casting against general convex objects with
@@ -61,7 +65,7 @@ class Obstacle {
 
     /// The first place on the way where a feature's gap falls to the level, or is below it and falls. Ways are finite.
     [[nodiscard]] virtual CastHit cast(const CastQuestion& question) noexcept = 0;
-    /// The gap of one feature.
+    /// The gap of one feature; of a cursor that has turned g, with its n, where it turned at the place.
     [[nodiscard]] virtual Gap find_gap(std::int32_t feature,
                                        const Vector3& at_B) const noexcept = 0;
     /// The feature with the least gap, if that is below `level_m`; -1 when all are further.
@@ -71,8 +75,10 @@ class Obstacle {
     /// solid is nearest to it.
     [[nodiscard]] virtual double find_bend(std::int32_t feature, const Vector3& at_B,
                                            const Vector3& direction_B) const noexcept = 0;
-    /// Says how the body is turned (R_WB): of interest to cursors that are no balls.
-    virtual void turn(const Matrix3& /*turn_WB*/) noexcept {}
+    /// Says how the cursor is turned, as seen from the body (R_CB). True where it has turned since it was last kept: a ball never has.
+    virtual bool turn(const Matrix3& /*turn_CB*/) noexcept { return false; }
+    /// The cursor is where it could go, turned so.
+    virtual void keep_turn() noexcept {}
     /// A sphere round all places where the cursor touches the solid.
     [[nodiscard]] virtual Vector3 centre_B() const noexcept = 0;
     [[nodiscard]] virtual double radius_m() const noexcept = 0;

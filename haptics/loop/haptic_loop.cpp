@@ -249,13 +249,13 @@ void HapticLoop::move_proxy() noexcept {
     state_.proxy_orientation_W = state_.tool_pose_W.orientation;
     state_.touched_body = kNoBody;
     const bool is_known = find_solids();
-    if (!touch_) {
+    if (touch_) {
+        touch_->contact = {};
+    }
+    if (!touch_ || !is_known) {
         return;
     }
-    touch_->contact = {};
-    if (!is_known) {
-        return;
-    }
+    state_.proxy_orientation_W = touch_->proxy->turn(state_.tool_pose_W.orientation);
     touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, solid_poses_W_);
     state_.proxy_position_W = touch_->contact.position_W;
     state_.touched_body = solids_->body_of(touch_->contact.solid);

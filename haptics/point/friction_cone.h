@@ -29,6 +29,9 @@ class FrictionCone final : public Proxy {
 
     void reset(const Vector3& hand_W) noexcept override;
     void put_solid(std::size_t solid, const Pose& pose_W) noexcept override;
+    Quaternion turn(const Quaternion& hand_turn_W) noexcept override {
+        return surface_object_->turn(hand_turn_W);
+    }
     const ProxyContact& step(const Vector3& hand_W,
                              std::span<const Pose> solid_poses_W) noexcept override;
 

@@ -8,11 +8,6 @@
 namespace fulcrum {
 namespace {
 
-bool is_ball(const CursorShape& cursor) {
-    return std::holds_alternative<std::monostate>(cursor) ||
-           std::holds_alternative<SphereShape>(cursor);
-}
-
 double ball_radius_m(const CursorShape& cursor) {
     const auto* ball = std::get_if<SphereShape>(&cursor);
     return ball != nullptr ? ball->radius_m : 0.0;
@@ -57,7 +52,7 @@ struct MakeForConvex {
 
 std::unique_ptr<Obstacle> make_obstacle(const CursorShape& cursor, const SolidShape& solid) {
     const std::optional<SolidShape> body = to_solid_shape(cursor);
-    if (is_ball(cursor) || !body) {
+    if (is_round(cursor) || !body) {
         return std::visit(MakeForBall{ball_radius_m(cursor)}, solid);
     }
     return std::visit(MakeForConvex{make_convex_cursor(*body)}, solid);
@@ -78,7 +73,7 @@ std::optional<SolidShape> to_solid_shape(const CursorShape& cursor) {
 }
 
 Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& shape) {
-    if (!is_ball(cursor) && std::holds_alternative<DistanceShape>(shape)) {
+    if (!is_round(cursor) && std::holds_alternative<DistanceShape>(shape)) {
         return fail("a distance function is touched by a point or a sphere alone", {},
                     "take such a cursor, or make the body a mesh");
     }

@@ -1,6 +1,7 @@
 #include "haptics/point/make_proxy.h"
 
 #include "haptics/base/range.h"
+#include "haptics/collision/convex_cursor.h"
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/point/friction_cone.h"
 #include "haptics/point/god_object.h"
@@ -47,8 +48,26 @@ Expected<void> check_solid(const SolidPlan& solid, const CursorShape& cursor) {
         .map_error(told);
 }
 
+CursorTurning find_turning(const CursorShape& cursor, const std::vector<SolidPlan>& solids,
+                           const ProxySurroundings& surroundings) {
+    CursorTurning turning{.period_s = surroundings.period_s};
+    if (const std::optional<SolidShape> shape = to_solid_shape(cursor); shape) {
+        const ConvexBody body = make_convex_cursor(*shape);
+        turning.least_m = find_least_reach_m(body);
+        turning.farthest_m = body.core.bounding_radius_m();
+    }
+    turning.stiffness_N_per_m = 0.0;
+    for (const SolidPlan& solid : solids) {
+        turning.stiffness_N_per_m =
+            std::max(turning.stiffness_N_per_m,
+                     solid.coupling.value_or(surroundings.coupling).stiffness_N_per_m);
+    }
+    return turning;
+}
+
 std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& settings,
-                                                   const std::vector<SolidPlan>& solids) {
+                                                   const std::vector<SolidPlan>& solids,
+                                                   const ProxySurroundings& surroundings) {
     const auto n_meshes = std::ranges::count_if(
         solids, [](const SolidPlan& solid) { return find_mesh(solid.shape) != nullptr; });
     const bool any_function = std::ranges::any_of(solids, [](const SolidPlan& solid) {
@@ -60,7 +79,8 @@ std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& settings
     if (is_point(settings) && n_meshes > 0 && !any_function) {
         return std::make_unique<GodObjectAmong<MixedSolid>>(solids, settings.structure);
     }
-    return std::make_unique<VirtualProxy>(make_obstacles(settings.cursor, solids));
+    return std::make_unique<VirtualProxy>(make_obstacles(settings.cursor, solids),
+                                          find_turning(settings.cursor, solids, surroundings));
 }
 
 }  // namespace
@@ -86,7 +106,7 @@ std::unique_ptr<Proxy> make_proxy(const ProxySettings& settings,
     if (solids.empty()) {
         return nullptr;
     }
-    auto surface_object = make_surface_object(settings, solids);
+    auto surface_object = make_surface_object(settings, solids, surroundings);
     if (settings.kind != ProxyKind::friction_cone) {
         return surface_object;
     }

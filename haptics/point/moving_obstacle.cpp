@@ -17,15 +17,34 @@ MovingObstacle::MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t 
                                std::shared_ptr<const CollisionMesh> stuff)
     : obstacle_(std::move(obstacle)), index_(index), lets_out_(lets_out), stuff_(std::move(stuff)) {
     take_pose(pose_W);
-    obstacle_->turn(turn_WB());
+    tell_turn();
+    obstacle_->keep_turn();
+    has_turned_ = false;
 }
 
 bool MovingObstacle::take_pose(const Pose& pose_W) noexcept {
     const bool moved = ProxyFrame::take_pose(pose_W);
     if (moved) {
-        obstacle_->turn(turn_WB());
+        tell_turn();
     }
     return moved;
+}
+
+void MovingObstacle::turn_cursor(const Matrix3& turn_WC) noexcept {
+    turn_WC_ = turn_WC;
+    tell_turn();
+}
+
+void MovingObstacle::tell_turn() noexcept {
+    has_turned_ = obstacle_->turn(turn_WC_.transpose() * turn_WB());
+}
+
+void MovingObstacle::put_proxy(const Vector3& proxy_W) noexcept {
+    ProxyFrame::put_proxy(proxy_W);
+    if (has_turned_) {
+        obstacle_->keep_turn();
+        has_turned_ = false;
+    }
 }
 
 double MovingObstacle::clearance_m() const noexcept {
@@ -37,7 +56,7 @@ double MovingObstacle::clearance_m() const noexcept {
 CastHit MovingObstacle::cast(const Vector3& to_W, double reach_m,
                              std::span<const Vector3> normals_W) noexcept {
     const Vector3 to_B = to_body(to_W);
-    if (to_B == proxy_B()) {
+    if (has_turned_ ? !is_near_way(to_B) : to_B == proxy_B()) {
         return {};
     }
     std::array<Vector3, kMostNormals> normals_B;
@@ -72,6 +91,16 @@ bool MovingObstacle::holds(const Vector3& p_W) const noexcept {
     const Vector3 p_B = to_body(p_W);
     return lets_out_ && is_near(p_W, 0.0) &&
            (obstacle_->find_nearest(p_B, 0.0) >= 0 || (stuff_ && is_in_stuff(*stuff_, p_B)));
+}
+
+// Can a cursor on its way to there, turned anyhow, be at the solid?
+bool MovingObstacle::is_near_way(const Vector3& to_B) const noexcept {
+    const Vector3 way = to_B - proxy_B();
+    const Vector3 to_centre = obstacle_->centre_B() - proxy_B();
+    const double square = way.squaredNorm();
+    const double t = square > 0.0 ? std::clamp(to_centre.dot(way) / square, 0.0, 1.0) : 0.0;
+    const double reach_m = obstacle_->radius_m() * (1.0 + 1.0e-9) + clearance_m();
+    return (to_centre - t * way).squaredNorm() <= reach_m * reach_m;
 }
 
 bool MovingObstacle::is_near(const Vector3& centre_W, double radius_m) const noexcept {

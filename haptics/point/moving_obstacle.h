@@ -34,6 +34,13 @@ class MovingObstacle : public ProxyFrame {
 
     /// As ProxyFrame::take_pose, and tells the obstacle how it is turned.
     bool take_pose(const Pose& pose_W) noexcept;
+    /// Turns the cursor (R_WC) in its place. What comes into its way by that `cast` finds, and planes are those of that, until the
+    /// proxy is put somewhere.
+    void turn_cursor(const Matrix3& turn_WC) noexcept;
+    /// Has cursor or solid turned since the proxy was put somewhere, and does that matter?
+    [[nodiscard]] bool has_turned() const noexcept { return has_turned_; }
+    /// As ProxyFrame::put_proxy, with the cursor as it is turned now.
+    void put_proxy(const Vector3& proxy_W) noexcept;
     /// The first meeting on the way from the proxy's place in the solid's frame to `to_W`. `normals_W`: planes that it
     /// does not sink through.
     [[nodiscard]] CastHit cast(const Vector3& to_W, double reach_m,
@@ -61,9 +68,14 @@ class MovingObstacle : public ProxyFrame {
   private:
     static constexpr std::size_t kMostNormals = 4;
 
+    void tell_turn() noexcept;
+    [[nodiscard]] bool is_near_way(const Vector3& to_B) const noexcept;
+
     std::unique_ptr<Obstacle> obstacle_;
     std::int32_t index_;
     bool lets_out_;
+    Matrix3 turn_WC_{Matrix3::Identity()};
+    bool has_turned_ = false;
     std::shared_ptr<const CollisionMesh> stuff_;
 };
 

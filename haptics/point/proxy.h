@@ -55,6 +55,9 @@ class Proxy {
     /// Puts a solid elsewhere at once, instead of moving it there: it pushes nobody on the way, and where it comes to lie on the hand
     /// it lets the hand through until that has left it. An index beyond the plan's solids is ignored.
     virtual void put_solid(std::size_t solid, const Pose& pose_W) noexcept = 0;
+    /// Turns the cursor towards the hand's turn, as far as the solids where they are allow (virtual_proxy.h); once before each `step`. Tells
+    /// how it is turned then: a ball and a point as the hand. A turn that is not finite leaves all as it was.
+    virtual Quaternion turn(const Quaternion& hand_turn_W) noexcept { return hand_turn_W; }
     /// Moves the proxy towards the hand as far as the solids allow. `solid_poses_W` has one pose a solid of the plan.
     virtual const ProxyContact& step(const Vector3& hand_W,
                                      std::span<const Pose> solid_poses_W) noexcept = 0;

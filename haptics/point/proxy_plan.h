@@ -21,9 +21,15 @@ enum class ProxyKind : std::uint8_t {
     friction_cone,  ///< either of them, or any convex cursor, with friction (Melder and Harwin 2002; Barrow and Harwin)
 };
 
-/// The cursor's own shape, centred on the tool's position, with the world's axes.
+/// The cursor's own shape, centred on the tool's position, turned as the hand is.
 using CursorShape =
     std::variant<std::monostate, SphereShape, BoxShape, CapsuleShape, CylinderShape, HullShape>;
+
+/// A point or a ball: alike however it is turned.
+[[nodiscard]] inline bool is_round(const CursorShape& cursor) noexcept {
+    return std::holds_alternative<std::monostate>(cursor) ||
+           std::holds_alternative<SphereShape>(cursor);
+}
 
 struct ProxySettings {
     ProxyKind kind = ProxyKind::god_object;

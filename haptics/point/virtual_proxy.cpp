@@ -30,7 +30,8 @@ bool is_for_proxy(const Vector3& hand_W) noexcept {
 
 }  // namespace
 
-VirtualProxy::VirtualProxy(std::vector<MovingObstacle> solids) : solids_(std::move(solids)) {
+VirtualProxy::VirtualProxy(std::vector<MovingObstacle> solids, const CursorTurning& turning)
+    : solids_(std::move(solids)), turning_(turning) {
     near_.resize(solids_.size());
     reset(Vector3::Zero());
 }
@@ -40,6 +41,7 @@ void VirtualProxy::reset(const Vector3& hand_W) noexcept {
         return;
     }
     planes_.count = 0;
+    is_fresh_ = true;
     goal_W_ = hand_W;
     accept(hand_W);
     for (MovingObstacle& solid : solids_) {
@@ -64,7 +66,7 @@ const ProxyContact& VirtualProxy::follow(const Vector3& goal_W) noexcept {
     reach_m_ = std::max((goal_W - goal_W_).norm(), std::numeric_limits<double>::min());
     goal_W_ = goal_W;
     find_near_solids(goal_W);
-    follow_goal(goal_W);
+    follow_goal(goal_W, kMostCasts);
     publish(goal_W);
     return contact_;
 }
@@ -80,10 +82,10 @@ void VirtualProxy::find_near_solids(const Vector3& goal_W) noexcept {
     }
 }
 
-void VirtualProxy::follow_goal(const Vector3& goal_W) noexcept {
+void VirtualProxy::follow_goal(const Vector3& goal_W, int most_casts) noexcept {
     look_again();
     double least_m2 = std::numeric_limits<double>::infinity();
-    while (n_casts_ < kMostCasts && go_on(goal_W, least_m2)) {
+    while (n_casts_ < most_casts && go_on(goal_W, least_m2)) {
     }
 }
 

@@ -13,13 +13,25 @@
 //    the proxy is pushed out sideways. If there is no way out it lets one solid come nearer and counts that.
 // A ball that starts in a surface is pushed out of it. All lengths are relative to the solid's size.
 //
-// Thread: haptic loop. Cost: bounded casts a step; no allocation, noexcept.
-// Source: D. C. Ruspini, K. Kolarov, O. Khatib 1997, The haptic display of complex graphical environments, SIGGRAPH.
+// A cursor that is no ball turns with the hand, and its place is found for that turn: `turn` comes before `step`, the hand still at its
+// last goal.
+//  - It turns by kMostTurn_rad a round at most. Of all places in front of the planes across which its features kept off (obstacle.h) it
+//    takes the nearest, and from there goes to the goal as ever: never through a feature. It is pushed by no more than kMostPush times
+//    the way of its farthest point: planes at right angles push by sqrt 3 times that at most.
+//  - The spring of stiffness k holds  k |proxy - goal|^2 / 2,  of which a turn that pushes out makes more: work of a torque that the
+//    hand does not feel, for a cursor gives none. So that is lent (surface/energy_loan.h), up to what one turn upright holds:
+//    k ((s + h)^2 - s^2) / 2,  s: the stretch, h: from the cursor's least to its farthest reach. Turned back it is paid back.
+//  - Where there is no such place, or more would be lent, it turns by half of that or a quarter, or keeps its turn, and tries again in the
+//    next round: so a stick that was turned across a corridor too narrow for it stays as it was until there is room.
+//
+// Thread: haptic loop. Cost: bounded casts a step, a quarter as many again where the cursor turns; no allocation, noexcept.
+// Source: the turn is ours; D. C. Ruspini, K. Kolarov, O. Khatib 1997, The haptic display of complex graphical environments, SIGGRAPH.
 #pragma once
 
 #include "haptics/point/held_planes.h"
 #include "haptics/point/moving_obstacle.h"
 #include "haptics/point/proxy.h"
+#include "haptics/surface/energy_loan.h"
 
 #include <array>
 #include <cstdint>
@@ -28,16 +40,27 @@
 
 namespace fulcrum {
 
+/// What must be known of a cursor that turns, and for the turn's energy. One that reaches as far in all directions does not turn.
+struct CursorTurning {
+    double least_m = 0.0;              ///< that it reaches from its middle in any direction
+    double farthest_m = 0.0;           ///< and the most
+    double stiffness_N_per_m = 500.0;  ///< of the stiffest spring that holds the proxy to the hand
+    double period_s = 0.001;
+};
+
 class VirtualProxy final : public SurfaceObject {
   public:
+    static constexpr double kMostTurn_rad = 0.1;  ///< in a round: 100 rad/s at 1 kHz
+    static constexpr double kMostPush = 2.0;
     /// Farthest coordinate of a hand that is followed, metres; one beyond is ignored like NaN.
     static constexpr double kFarthest_m = 1.0e30;
 
     /// The solids as the cursor meets them; the proxy starts at the origin, `reset` puts it on the hand.
-    explicit VirtualProxy(std::vector<MovingObstacle> solids);
+    explicit VirtualProxy(std::vector<MovingObstacle> solids, const CursorTurning& turning = {});
 
     void reset(const Vector3& hand_W) noexcept override;
     void put_solid(std::size_t solid, const Pose& pose_W) noexcept override;
+    Quaternion turn(const Quaternion& hand_turn_W) noexcept override;
     void carry(std::span<const Pose> solid_poses_W) noexcept override;
     /// A goal that is not finite leaves all as it was.
     const ProxyContact& follow(const Vector3& goal_W) noexcept override;
@@ -47,6 +70,8 @@ class VirtualProxy final : public SurfaceObject {
     [[nodiscard]] std::uint64_t n_squeezed() const noexcept { return n_squeezed_; }
     /// Casts of the last step: what it cost.
     [[nodiscard]] int n_casts() const noexcept { return n_casts_; }
+    /// What turning has given beyond what it took, and its most now.
+    [[nodiscard]] const LoanAccount& loan() const noexcept { return loan_; }
 
   private:
     using Planes = HeldPlanes<ObstaclePlane>;
@@ -55,7 +80,15 @@ class VirtualProxy final : public SurfaceObject {
         CastHit hit;
     };
 
-    static constexpr int kMostCasts = 64;  ///< in a step; a smooth surface takes about 3
+    static constexpr int kMostCasts = 64;      ///< in a step; a smooth surface takes about 3
+    static constexpr int kMostTurnCasts = 16;  ///< and in a turn before it, all tries together
+
+    // Turning (virtual_proxy_turn.cpp).
+    [[nodiscard]] bool try_turn(const Quaternion& turn_W, double angle_rad) noexcept;
+    void follow_turn(const Quaternion& hand_turn_W) noexcept;
+    void put_turn(const Quaternion& turn_W) noexcept;
+    [[nodiscard]] bool make_room(double most_m) noexcept;
+    [[nodiscard]] double held_J() const noexcept;
 
     // Motion of the solids (virtual_proxy_solids.cpp).
     void follow_touched() noexcept;
@@ -66,7 +99,7 @@ class VirtualProxy final : public SurfaceObject {
 
     // Motion to the goal.
     void find_near_solids(const Vector3& goal_W) noexcept;
-    void follow_goal(const Vector3& goal_W) noexcept;
+    void follow_goal(const Vector3& goal_W, int most_casts) noexcept;
     [[nodiscard]] bool go_on(const Vector3& goal_W, double& least_m2) noexcept;
     [[nodiscard]] static Vector3 constrain(const Vector3& wish, Planes& planes) noexcept;
     [[nodiscard]] Vector3 lengthen(const Vector3& way) const noexcept;
@@ -86,6 +119,10 @@ class VirtualProxy final : public SurfaceObject {
     Vector3 proxy_W_{Vector3::Zero()};
     Vector3 goal_W_{Vector3::Zero()};
     double reach_m_ = 0.0;  // how far the goal came in this step: about as far as the proxy will go
+    CursorTurning turning_;
+    Quaternion turn_W_{Quaternion::Identity()};
+    bool is_fresh_ = true;  // not turned since the last reset
+    LoanAccount loan_{};
     Planes planes_;
     int n_casts_ = 0;
     std::uint64_t n_squeezed_ = 0;

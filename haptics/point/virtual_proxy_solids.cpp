@@ -81,9 +81,17 @@ bool VirtualProxy::place_between(const Vector3& wish_W, const Blocker& first) no
 }
 
 VirtualProxy::Blocker VirtualProxy::find_blocker(const Vector3& to_W) noexcept {
+    std::array<Vector3, kMaxPlanes> normals_W;
+    for (std::size_t i = 0; i < planes_.count; ++i) {
+        normals_W[i] = planes_.plane[i].normal_W;
+    }
+    const std::span<const Vector3> held_W(normals_W.data(), planes_.count);
     for (std::size_t i = 0; i < solids_.size(); ++i) {
-        const CastHit hit =
-            solids_[i].lets_through() ? CastHit{} : solids_[i].cast(to_W, reach_m_, {});
+        if (solids_[i].lets_through()) {
+            continue;
+        }
+        const CastHit hit = solids_[i].cast(
+            to_W, reach_m_, solids_[i].has_turned() ? held_W : std::span<const Vector3>{});
         if (hit.found()) {
             return {static_cast<std::int32_t>(i), hit};
         }

@@ -39,11 +39,23 @@ void LoanAccount::forgive(double energy_J) noexcept {
     }
 }
 
+void LoanAccount::owe(double given_J) noexcept {
+    owed_J_ = std::max(owed_J_ + given_J, -limit_J_);
+}
+
+bool LoanAccount::may_give(double given_J) noexcept {
+    if (!(given_J <= 0.0 || owed_J_ + given_J <= limit_J_)) {
+        return false;
+    }
+    owe(given_J);
+    return true;
+}
+
 double LoanAccount::take(double given_J) noexcept {
     if (!std::isfinite(given_J)) {
         return 0.0;
     }
-    owed_J_ = std::max(owed_J_ + given_J, -limit_J_);
+    owe(given_J);
     const double beyond_J = std::min(std::max(owed_J_ - limit_J_, 0.0), std::max(given_J, 0.0));
     owed_J_ -= beyond_J;
     return beyond_J;

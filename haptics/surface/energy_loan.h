@@ -54,11 +54,16 @@ class LoanAccount {
     void forgive(double energy_J) noexcept;
     /// x: what of `given_J` falls due at once. Of what is no number nothing is given.
     [[nodiscard]] double take(double given_J) noexcept;
+    /// Of energy that comes all at once, and may be refused: whether so much more is lent. Where it is, it is owed; what comes back, below
+    /// 0, always is taken.
+    [[nodiscard]] bool may_give(double given_J) noexcept;
 
     [[nodiscard]] double owed_J() const noexcept { return owed_J_; }
     [[nodiscard]] double limit_J() const noexcept { return limit_J_; }
 
   private:
+    void owe(double given_J) noexcept;
+
     EnergyLoanSettings settings_{};
     double limit_J_ = 0.0;
     double owed_J_ = 0.0;

@@ -274,9 +274,9 @@ void add_more_hands(const LessonDescription& lesson, const Scenery& scenery,
         const std::string number = std::to_string(i + 2);
         ViewHand& hand = view.more_hands.emplace_back();
         hand.tool.model = std::string(kSecondToolModel);
-        hand.tool.pose_W = Pose::at(shown.hand.proxy_position_W);
+        hand.tool.pose_W = {shown.hand.proxy_position_W, shown.hand.proxy_orientation_W};
         hand.ghost_visible = shown.ghost;
-        hand.ghost_pose_W = Pose::at(shown.ghost_pose_W.position);
+        hand.ghost_pose_W = shown.ghost_pose_W;
         const Vector3 force_W = shown.hand.applied_W.force;
         if (force_W.norm() > kShownForce_N) {
             view.forces.push_back({true, shown.hand.proxy_position_W, force_W,
@@ -320,11 +320,6 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     view.tool.pose_W = {scenery.hand.proxy_position_W, scenery.hand.proxy_orientation_W};
     view.ghost_visible = scenery.ghost;
     view.ghost_pose_W = scenery.ghost_pose_W;
-    if (has_shaped_cursor(lesson.hand)) {
-        // Felt so: it keeps the world's axes however the hand turns.
-        view.tool.pose_W.orientation.setIdentity();
-        view.ghost_pose_W.orientation.setIdentity();
-    }
 
     const Vector3 force_W = scenery.hand.applied_W.force;
     const double force_N = force_W.norm();

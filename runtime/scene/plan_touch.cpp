@@ -23,10 +23,9 @@ ProxySettings proxy_settings(const HandDescription& hand, const std::vector<Soli
     const bool has_friction =
         std::ranges::any_of(solids, [](const SolidPlan& solid) { return solid.friction.any(); });
     const bool is_point = std::holds_alternative<std::monostate>(hand.cursor);
-    const bool is_ball = std::holds_alternative<SphereShape>(hand.cursor);
-    proxy.kind = has_friction || (!is_point && !is_ball) ? ProxyKind::friction_cone
-                 : is_ball                               ? ProxyKind::virtual_proxy
-                                                         : ProxyKind::god_object;
+    proxy.kind = has_friction || !is_round(hand.cursor) ? ProxyKind::friction_cone
+                 : is_point                             ? ProxyKind::god_object
+                                                        : ProxyKind::virtual_proxy;
     proxy.kind = hand.proxy.value_or(proxy.kind);
     return proxy;
 }

@@ -352,7 +352,7 @@ function World:magnet(options) end
 ---@field scale? number metres in the scene for one metre of a hand that reaches 20 cm each way; one that reaches less gets more; 0.01 to 100; default 1
 ---@field rate? number how often forces are computed; in hertz, 1000 to 5000; default 1000
 ---@field proxy? string what solid bodies are touched with, by the name of its method; what the scene needs by default: friction_cone where something has friction; "god_object", "virtual_proxy" or "friction_cone"
----@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone; "point", "ball", "box", "capsule" or "cylinder"; default point
+---@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone, and turn as the hand does, without a torque; "point", "ball", "box", "capsule" or "cylinder"; default point
 ---@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side, a capsule without its round ends; in metres, 0.0005 to 1; default 0.005
 ---@field tool? HandTool what the hand holds instead of a cursor: a thing with a shape, felt with force and torque, that stays outside solid bodies, at most 16 of them, without a material; where the hand is pressed in, a pale ghost of it shows where the hand is; a hand that cannot turn holds it upright; no bucket goes with it
 ---@field needed? boolean of a second hand: without a device for it the lesson is not played; default false

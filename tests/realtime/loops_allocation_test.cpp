@@ -73,6 +73,7 @@ std::uint64_t count_in_proxy(const ProxySettings& settings, const SolidShape& sh
             poses[1] = {Vector3(0.09, 0.0, 0.01 * std::sin(0.007 * k)), Quaternion::Identity()};
             const Vector3 hand(0.12 * std::sin(0.011 * k), 0.14 + 0.16 * std::cos(0.005 * k),
                                0.05 * std::sin(0.017 * k));
+            (void)proxy->turn(Quaternion(AngleAxis(0.02 * k, Vector3(0.0, 0.6, 0.8))));
             const ProxyContact& contact = proxy->step(hand, poses);
             n_touching += contact.n_constraints > 0 ? 1 : 0;
             n_between += contact.n_constraints > 1 ? 1 : 0;
@@ -195,7 +196,7 @@ TEST_CASE("no allocation: two thousand rounds of a kite, launched, let out, snap
     CHECK(most_N > 0.1);
 }
 
-// No step of any proxy allocates: every cursor on every kind of body, two of them, moving.
+// No step of any proxy allocates: every cursor, turned, on every kind of body, two of them, moving.
 
 TEST_CASE("no allocation: point, ball and convex cursors, with friction, on bodies of every kind") {
     const HullShape hull =

@@ -327,7 +327,7 @@ void add_hand_api(ApiTable& table) {
            "god_object virtual_proxy friction_cone"},
           {"cursor", choice, "", 0, 0, "point",
            "the shape that touches; a ball is for virtual_proxy and friction_cone, the others for "
-           "friction_cone alone",
+           "friction_cone alone, and turn as the hand does, without a torque",
            "point ball box capsule cylinder"},
           {"cursor_size", number, "metres", 0.0005, 1, "0.005",
            "its radius, or half its side; a capsule and a cylinder are so long to each side, "

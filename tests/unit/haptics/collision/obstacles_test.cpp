@@ -99,8 +99,10 @@ TEST_CASE("convex cursor: what it remembers of a mesh changes no answer, however
                 from = 1.3 * wanderer.next();
                 turned = random.turn(1.0).toRotationMatrix();
                 remembering.turn(turned);
+                remembering.keep_turn();
             }
             fresh.turn(turned);
+            fresh.keep_turn();
             // Free of every triangle there, as asked of each.
             REQUIRE(remembering.find_nearest(from, 0.4 * kLevel_m) == -1);
             const Vector3 to = wanderer.next() * (1.12 + 0.1 * std::sin(0.1 * i));
@@ -108,6 +110,37 @@ TEST_CASE("convex cursor: what it remembers of a mesh changes no answer, however
             return to;
         });
     CHECK(n_hits > 100);
+}
+
+TEST_CASE("convex cursor: one that has turned is met where the plane that kept it off is passed") {
+    const ConvexBody cursor = make_convex_cursor(BoxShape{{0.3, 0.05, 0.05}});
+    const ConvexBody block = make_convex_solid(BoxShape{Vector3::Constant(0.1)});
+    ConvexObstacle shape(block, cursor);
+    ConvexMeshObstacle mesh(touchable(make_box(Vector3::Constant(0.2))), cursor);
+    const Matrix3 turned =
+        Quaternion(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitZ())).toRotationMatrix();
+    const Vector3 above(0.0, 0.3, 0.0);
+    for (Obstacle* obstacle : {static_cast<Obstacle*>(&shape), static_cast<Obstacle*>(&mesh)}) {
+        CHECK(obstacle->turn(turned));
+        const CastQuestion stays{.from_B = above, .to_B = above, .level_m = kLevel_m};
+        const CastHit hit = obstacle->cast(stays);
+        REQUIRE(hit.found());
+        CHECK(hit.t == 0.0);
+        // It reaches 0.3 down where there is room for 0.2.
+        const Gap gap = obstacle->find_gap(hit.feature, above);
+        CHECK((gap.normal_B - Vector3::UnitY()).norm() < 1.0e-6);
+        CHECK(gap.gap_m == Approx(-0.1).margin(1.0e-6));
+        // As far up as it says there is room; and a turn that ends beyond the block with its plane between is no turn through it.
+        const Vector3 higher(0.0, 0.4 + 2.0 * kLevel_m, 0.0);
+        CHECK_FALSE(obstacle->cast({.from_B = above, .to_B = higher, .level_m = kLevel_m}).found());
+        CHECK(obstacle->cast({.from_B = above, .to_B = -higher, .level_m = kLevel_m}).found());
+        obstacle->keep_turn();
+        CHECK_FALSE(obstacle->turn(turned));
+        CHECK(obstacle->find_nearest(higher, 0.0) == -1);
+        CHECK(obstacle->find_nearest(higher, 1.0e-6) != -1);
+        (void)obstacle->turn(Matrix3::Identity());
+        obstacle->keep_turn();
+    }
 }
 
 TEST_CASE("mesh obstacle: a plane that the way does not sink through spares what lies below it") {
@@ -175,6 +208,7 @@ TEST_CASE("convex cursor: a box on a box stops by its face, on a mesh of a box a
         CHECK(cast({0.5999, 2.0, 0.2}, {0.5999, -2.0, 0.2}).found());
         // Turned by a right angle about z, its sides are exchanged.
         obstacle->turn(AngleAxis(0.5 * std::numbers::pi, Vector3::UnitZ()).toRotationMatrix());
+        obstacle->keep_turn();
         CHECK(cast({0.1, 2.0, 0.2}, {0.1, 0.0, 0.2}).t == Approx(0.7).epsilon(1e-9));
         CHECK(obstacle->find_nearest({0.0, 0.59, 0.0}, kLevel_m) >= 0);
         CHECK(obstacle->find_nearest({0.0, 0.61, 0.0}, kLevel_m) == -1);
@@ -192,6 +226,7 @@ TEST_CASE("convex cursor: no way of any cursor through any body ends nearer than
             ConvexObstacle obstacle(make_convex_solid(solid), make_convex_cursor(cursor));
             for (int i = 0; i < 40; ++i) {
                 obstacle.turn(random.turn(3.0).toRotationMatrix());
+                obstacle.keep_turn();
                 const Vector3 from = random.direction();
                 const Vector3 to = random.in_cube();
                 const CastHit hit =

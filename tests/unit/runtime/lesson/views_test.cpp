@@ -127,22 +127,24 @@ TEST_CASE("view: without a force no arrow; a mouse squashes what it holds, and h
     CHECK(view.ghost_visible);
 }
 
-TEST_CASE("view: a cursor with a shape is drawn in it, and does not turn as the hand does") {
+TEST_CASE(
+    "view: a cursor with a shape is drawn in it, turned as it is felt; its ghost as the hand is") {
     Shown shown;
     shown.lesson.bucket.present = false;
     shown.scenery.ghost = true;
     const Quaternion turned(AngleAxis(0.4, Vector3::UnitX()));
     shown.scenery.hand.proxy_position_W = {0.1, 0.2, 0.3};
     shown.scenery.hand.proxy_orientation_W = turned;
-    shown.scenery.ghost_pose_W.orientation = turned;
+    const Quaternion hand(AngleAxis(0.5, Vector3::UnitX()));
+    shown.scenery.ghost_pose_W.orientation = hand;
     CHECK(shown.view().tool.model == "cursor");
     CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
     shown.lesson.hand.cursor = CapsuleShape{0.01, 0.03};
     const runtime::View view = shown.view();
     CHECK(view.tool.model == kToolModel);
     CHECK(view.tool.pose_W.position == Vector3(0.1, 0.2, 0.3));
-    CHECK(view.tool.pose_W.orientation.isApprox(Quaternion::Identity()));
-    CHECK(view.ghost_pose_W.orientation.isApprox(Quaternion::Identity()));
+    CHECK(view.tool.pose_W.orientation.isApprox(turned));
+    CHECK(view.ghost_pose_W.orientation.isApprox(hand));
     // A tool that is felt with torque turns.
     shown.lesson.hand.tool.emplace();
     CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
@@ -172,7 +174,7 @@ TEST_CASE("view: two hands have a colour each, a number each, and forces to one 
     CHECK(view.more_hands[0].tool.model == kSecondToolModel);
     CHECK(view.more_hands[0].tool.model != view.tool.model);
     CHECK(view.more_hands[0].tool.pose_W.position == Vector3(0.1, 0.2, 0.3));
-    CHECK(view.more_hands[0].tool.pose_W.orientation.isApprox(Quaternion::Identity()));
+    CHECK(view.more_hands[0].tool.pose_W.orientation.isApprox(second.hand.proxy_orientation_W));
     CHECK(view.more_hands[0].ghost_visible);
     CHECK(view.more_hands[0].ghost_pose_W.position.x() == 0.15);
     REQUIRE(view.forces.size() == 1);

@@ -205,6 +205,65 @@ TEST_CASE("felt shapes: cursors with a shape of their own feel them so, too") {
     CHECK((sent - closed_form(loop, place, hand_W)).norm() < 1.0e-3);
 }
 
+TEST_CASE(
+    "felt shapes: a cursor that turns is felt as it stands, and turns no faster than the gate") {
+    const Material material = metal();
+    const Vector3 half(0.01, 0.01, 0.01);
+    for (const BodyShape shape : {BodyShape::box, BodyShape::model}) {
+        SentForce loop(make_felt_lesson(material, shape, BoxShape{half}), post());
+        const Vector3 up = Vector3::UnitY();
+        Pose hand = Pose::at((kHalf_m + 0.009) * up);
+        (void)press(loop, (kHalf_m + 0.02) * up, hand.position);
+        // To its edge in 50 ms, a tenth of a radian a round: no round changes by more than the slew and a transient's bounds.
+        const double slew_N = loop.plan().safety.max_slew_N_per_s / loop.plan().rate_hz +
+                              loop.plan().safety.max_transient_N;
+        Vector3 last_W = loop.state().applied_W.force;
+        for (int i = 1; i <= 400; ++i) {
+            const double turn_rad = std::min(0.1 * i, 0.6);
+            hand.orientation = Quaternion(AngleAxis(turn_rad, Vector3::UnitZ()));
+            const Vector3& sent_W = loop.step(hand);
+            REQUIRE((sent_W - last_W).norm() < slew_N);
+            last_W = sent_W;
+        }
+        // Corners are rounded by a thousandth.
+        const double reach_m = 0.01 * (std::sin(0.6) + std::cos(0.6));
+        const Vector3 expected = closed_form(loop, (kHalf_m + reach_m) * up, hand.position);
+        INFO("sent " << last_W.y() << " N for " << expected.y());
+        CHECK((last_W - std::min(loop.plan().safety.max_force_N, expected.norm()) * up).norm() <
+              0.02);
+        CHECK(loop.state().proxy_orientation_W.angularDistance(hand.orientation) < 1.0e-9);
+        CHECK(loop.state().proxy_position_W.y() == Approx(kHalf_m + reach_m).margin(1.0e-5));
+        // Lifted off it hangs in the air as the hand does, and another hand that did the same is told the same bits.
+        hand.position = (kHalf_m + 0.03) * up;
+        for (int i = 0; i < 200; ++i) {
+            (void)loop.step(hand);
+        }
+        CHECK(loop.state().applied_W.force.norm() < 1.0e-6);
+        CHECK(loop.state().proxy_position_W == loop.state().tool_pose_W.position);
+    }
+}
+
+TEST_CASE("felt shapes: a hand that turns a cursor twice feels the same to the bit") {
+    const auto feel = [](std::vector<Vector3>& forces_W) {
+        SentForce loop(make_felt_lesson(metal(), BodyShape::model, BoxShape{{0.01, 0.012, 0.008}}),
+                       post());
+        (void)press(loop, Vector3(0.0, kHalf_m + 0.03, 0.0), Vector3(0.0, kHalf_m + 0.013, 0.0));
+        for (int i = 0; i < 2000; ++i) {
+            const double s = 1.0e-3 * i;
+            forces_W.push_back(loop.step(
+                {Vector3(0.03 * std::sin(3.0 * s), kHalf_m + 0.01 + 0.003 * std::cos(5.0 * s),
+                         0.02 * std::sin(2.0 * s)),
+                 Quaternion(AngleAxis(2.0 * std::sin(4.0 * s), Vector3(0.6, 0.0, 0.8)))}));
+        }
+    };
+    std::vector<Vector3> once_W;
+    std::vector<Vector3> twice_W;
+    feel(once_W);
+    feel(twice_W);
+    CHECK(once_W == twice_W);
+    CHECK(std::ranges::count_if(once_W, [](const Vector3& f) { return f.norm() > 0.2; }) > 500);
+}
+
 TEST_CASE("felt shapes: friction stays in its cone and pulls nobody along") {
     for (const Felt& felt : kFelt) {
         for (const char* name : {"metal", "wood", "rubber"}) {
