@@ -83,8 +83,8 @@ Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& shape)
 MovingObstacle make_moving_obstacle(const CursorShape& cursor, const SolidPlan& solid,
                                     std::int32_t index) {
     const auto* mesh = find_mesh(solid.shape);
-    return {make_obstacle(cursor, solid.shape), index, solid.initial_pose_W, solid.lets_out,
-            mesh != nullptr ? *mesh : nullptr};
+    return {make_obstacle(cursor, solid.shape), index,        solid.initial_pose_W, solid.lets_out,
+            mesh != nullptr ? *mesh : nullptr,  solid.shape_B};
 }
 
 std::vector<MovingObstacle> make_obstacles(const CursorShape& cursor,

@@ -36,7 +36,7 @@ Expected<void> check_solid(const SolidPlan& solid, const CursorShape& cursor) {
         return Error{"body " + std::to_string(solid.body) + ": " + error.message, error.where,
                      error.what_to_do};
     };
-    if (!is_finite(solid.initial_pose_W)) {
+    if (!is_finite(solid.initial_pose_W) || !is_finite(solid.shape_B)) {
         return fail("body " + std::to_string(solid.body) + " has no finite pose", {},
                     "give it one");
     }

@@ -14,8 +14,13 @@ constexpr double kMet = 0.5;
 
 MovingObstacle::MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index,
                                const Pose& pose_W, bool lets_out,
-                               std::shared_ptr<const CollisionMesh> stuff)
-    : obstacle_(std::move(obstacle)), index_(index), lets_out_(lets_out), stuff_(std::move(stuff)) {
+                               std::shared_ptr<const CollisionMesh> stuff, const Pose& shape_B)
+    : obstacle_(std::move(obstacle)),
+      index_(index),
+      lets_out_(lets_out),
+      stuff_(std::move(stuff)),
+      shape_B_(shape_B),
+      is_placed_(!is_same(shape_B, Pose{})) {
     take_pose(pose_W);
     tell_turn();
     obstacle_->keep_turn();
@@ -23,7 +28,8 @@ MovingObstacle::MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t 
 }
 
 bool MovingObstacle::take_pose(const Pose& pose_W) noexcept {
-    const bool moved = ProxyFrame::take_pose(pose_W);
+    const Pose body_W{pose_W.position, pose_W.orientation.normalized()};
+    const bool moved = ProxyFrame::take_pose(is_placed_ ? body_W * shape_B_ : pose_W);
     if (moved) {
         tell_turn();
     }

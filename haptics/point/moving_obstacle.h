@@ -28,11 +28,12 @@ struct ObstaclePlane {
 
 class MovingObstacle : public ProxyFrame {
   public:
-    /// `lets_out`: as in SolidPlan; `stuff`: the mesh that the obstacle is made of, if it is one.
+    /// `lets_out`, `shape_B`: as in SolidPlan; `stuff`: the mesh that the obstacle is made of, if it is one. Its frame is the shape's.
     MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index, const Pose& pose_W,
-                   bool lets_out = false, std::shared_ptr<const CollisionMesh> stuff = nullptr);
+                   bool lets_out = false, std::shared_ptr<const CollisionMesh> stuff = nullptr,
+                   const Pose& shape_B = {});
 
-    /// As ProxyFrame::take_pose, and tells the obstacle how it is turned.
+    /// As ProxyFrame::take_pose, of the body; and tells the obstacle how it is turned.
     bool take_pose(const Pose& pose_W) noexcept;
     /// Turns the cursor (R_WC) in its place. What comes into its way by that `cast` finds, and planes are those of that, until the
     /// proxy is put somewhere.
@@ -77,6 +78,8 @@ class MovingObstacle : public ProxyFrame {
     Matrix3 turn_WC_{Matrix3::Identity()};
     bool has_turned_ = false;
     std::shared_ptr<const CollisionMesh> stuff_;
+    Pose shape_B_;
+    bool is_placed_;  // elsewhere than the body
 };
 
 }  // namespace fulcrum

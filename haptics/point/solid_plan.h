@@ -25,6 +25,8 @@ struct SolidPlan {
     /// A hand that begins in it, or on which it is put, is let out instead of being held inside, or pushed out. Scenes ask for it;
     /// rooms do not.
     bool lets_out = false;
+    Pose
+        shape_B{};  ///< where the shape's own middle and axes lie in the body; of a mesh nowhere else
 };
 
 /// Makes the body of a material: its coupling, friction, texture and transient become the material's. Shading and sound

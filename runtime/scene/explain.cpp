@@ -1,5 +1,6 @@
 #include "runtime/scene/explain.h"
 
+#include "haptics/collision/collision_mesh.h"
 #include "runtime/scene/body_shape.h"
 #include "runtime/scene/plan_tool.h"
 
@@ -56,17 +57,23 @@ std::string materials_table(const LessonDescription& lesson, const Plan& plan) {
     return "\nWhat a hand finds out, from 0 to 1, and what it is called:\n" + (head.data() + text);
 }
 
-/// What is not felt as triangles.
-std::string formulas_text(const LessonDescription& lesson, const Plan& plan) {
-    std::string text;
+/// What is felt of each body: by its formula, or as triangles.
+std::string felt_text(const LessonDescription& lesson, const Plan& plan) {
+    std::string formulas;
+    std::string triangles;
     for (const SolidPlan& solid : plan.haptic.solids) {
-        if (const std::string_view name = name_of_formula(solid.shape); !name.empty()) {
-            text += (text.empty() ? "\nFelt by their formula, without facets: " : "; ") +
-                    lesson.bodies[static_cast<std::size_t>(solid.body)].name + ", a " +
-                    std::string(name);
-        }
+        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+        const MeshShape* const mesh = find_mesh(solid.shape);
+        std::string& text = mesh == nullptr ? formulas : triangles;
+        text += (text.empty() ? "" : "; ") + body.name + ", a " +
+                std::string(name_of_felt(body, solid.shape));
+        text += mesh == nullptr ? "" : " of " + std::to_string((*mesh)->n_triangles());
     }
-    return text.empty() ? text : text + ".\n";
+    const auto line = [](const char* head, const std::string& text) {
+        return text.empty() ? text : head + text + ".\n";
+    };
+    return line("\nFelt by their formula, without facets: ", formulas) +
+           line("\nFelt as their triangles: ", triangles);
 }
 
 std::string notices_text(const Plan& plan) {
@@ -119,7 +126,7 @@ std::string explain(const LessonDescription& lesson, const Plan& plan) {
                     stage.because);
     }
     text += "\nWhat is not in this list is not built.\n";
-    return text + formulas_text(lesson, plan) + tool_table(lesson, plan) +
+    return text + felt_text(lesson, plan) + tool_table(lesson, plan) +
            materials_table(lesson, plan) + notices_text(plan);
 }
 

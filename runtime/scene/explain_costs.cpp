@@ -1,4 +1,5 @@
 // The half of explain.h that speaks of a run.
+#include "haptics/collision/collision_mesh.h"
 #include "runtime/scene/body_shape.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
@@ -149,13 +150,27 @@ Json json_of_materials(const LessonDescription& lesson, const Plan& plan) {
 Json json_of_formulas(const LessonDescription& lesson, const Plan& plan) {
     Json formulas = Json::array();
     for (const SolidPlan& solid : plan.haptic.solids) {
-        if (const std::string_view shape = name_of_formula(solid.shape); !shape.empty()) {
-            formulas.push_back(
-                Json::object({{"name", lesson.bodies[static_cast<std::size_t>(solid.body)].name},
-                              {"shape", std::string(shape)}}));
+        if (find_mesh(solid.shape) == nullptr) {
+            const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+            formulas.push_back(Json::object(
+                {{"name", body.name}, {"shape", std::string(name_of_felt(body, solid.shape))}}));
         }
     }
     return formulas;
+}
+
+Json json_of_triangles(const LessonDescription& lesson, const Plan& plan) {
+    Json triangles = Json::array();
+    for (const SolidPlan& solid : plan.haptic.solids) {
+        if (const MeshShape* const mesh = find_mesh(solid.shape); mesh != nullptr) {
+            const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+            triangles.push_back(
+                Json::object({{"name", body.name},
+                              {"shape", std::string(name_of_felt(body, solid.shape))},
+                              {"triangles", static_cast<double>((*mesh)->n_triangles())}}));
+        }
+    }
+    return triangles;
 }
 
 const char* source_of(ShapeSource source) {
@@ -246,6 +261,7 @@ std::string explain_json(const LessonDescription& lesson, const Plan& plan,
     }
     whole.add("stages", std::move(stages));
     whole.add("felt_by_formula", json_of_formulas(lesson, plan));
+    whole.add("felt_as_triangles", json_of_triangles(lesson, plan));
     whole.add("materials", json_of_materials(lesson, plan));
     if (plan.haptic.tool && lesson.hand.tool) {
         whole.add("tool", json_of_tool(lesson, plan));

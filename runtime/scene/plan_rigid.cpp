@@ -55,7 +55,7 @@ Expected<RigidBodyPlan> make_world_body(const LessonDescription& lesson, const S
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
-    const auto shape = make_body_shape(find_kind(simulated), "shape", *mesh);
+    const auto shape = make_body_shape(find_kind(simulated), *mesh);
     if (!shape) {
         return tl::unexpected(about(body, shape.error()));
     }

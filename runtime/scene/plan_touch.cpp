@@ -52,20 +52,21 @@ Expected<void> check_in_hand(const SolidPlan& solid, const MaterialDescription& 
 
 /// A ball is felt by its formula, for its mesh would be felt as facets; other models as what the lesson makes of them. The mesh of a box is
 /// the box itself. Tools are made for meshes.
-Expected<SolidShape> make_felt_shape(const BodyDescription& body, const HandDescription& hand,
-                                     const MeshShape& mesh) {
+Expected<PlacedShape> find_felt_shape(const BodyDescription& body, const HandDescription& hand,
+                                      const MeshShape& mesh) {
     if (body.felt_as == BodyShape::model) {
         const bool is_ball = is_ball_model(body.model) && body.boxes.empty() && !hand.tool;
-        return is_ball ? SolidShape(SphereShape{body.radius_m}) : SolidShape(mesh);
+        return PlacedShape{is_ball ? SolidShape(SphereShape{body.radius_m}) : SolidShape(mesh)};
     }
-    auto shape =
-        make_body_shape(body.felt_as, "felt_shape", mesh).and_then([](const SolidShape& made) {
-            return validate(made).map([&made] { return made; });
+    auto felt = make_felt_shape(body.felt_as, mesh).and_then([](const PlacedShape& made) {
+        return validate(made.shape).map([&made] { return made; });
+    });
+    if (felt && hand.tool) {
+        felt = make_shape_mesh(felt->shape, felt->shape_B).map([](const MeshShape& made) {
+            return PlacedShape{made};
         });
-    if (shape && hand.tool) {
-        shape = make_shape_mesh(*shape);
     }
-    return shape.map_error([&](const Error& error) {
+    return felt.map_error([&](const Error& error) {
         return Error{"the " + body.noun + ": " + error.message, at_line(body.line),
                      error.what_to_do};
     });
@@ -87,7 +88,7 @@ Expected<void> add_axle(const BodyDescription& body, HapticPlan& plan) {
         return fail("the " + body.noun + " is on a hinge and movable", at_line(body.line),
                     "leave out one of them: what turns on a hinge does not fall");
     }
-    const auto mesh = make_shape_mesh(plan.solids.back().shape);
+    const auto mesh = make_shape_mesh(plan.solids.back().shape, plan.solids.back().shape_B);
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
@@ -141,11 +142,13 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
         if (!mesh) {
             return tl::unexpected(mesh.error());
         }
-        auto shape = make_felt_shape(as_felt(body), lesson.hand, *mesh);
-        if (!shape) {
-            return tl::unexpected(shape.error());
+        auto felt = find_felt_shape(as_felt(body), lesson.hand, *mesh);
+        if (!felt) {
+            return tl::unexpected(felt.error());
         }
-        SolidPlan solid{static_cast<std::int32_t>(i), std::move(*shape), Pose::at(body.position_W)};
+        SolidPlan solid{static_cast<std::int32_t>(i), std::move(felt->shape),
+                        Pose::at(body.position_W)};
+        solid.shape_B = felt->shape_B;
         solid.lets_out = true;
         solid.surface.shading.on = body.rounded;
         if (body.material != kNoMaterial) {

@@ -277,7 +277,7 @@ function World:camera(options) end
 ---@field boxes? table[] what a body with model = "box" is made of instead of one: a list of { at = {x, y, z}, size = {x, y, z} }, from the body's place; up to 200, as of a house or a maze
 ---@field rigid? boolean a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and stacked; can be touched, and is seen unless visible = false; default false
 ---@field felt_model? string model that the hand feels instead of the one that is drawn; of a box or a ball with its size or radius
----@field felt_shape? string what the hand feels of that model, as large as it reaches: a ball, a box, an upright cylinder or capsule, all without facets, or its hull; by default a ball is one, and others are as they are; "box", "ball", "cylinder", "capsule", "hull" or "mesh"
+---@field felt_shape? string what the hand feels of that model, as large as it reaches: a ball, a box, a cylinder or capsule about the axis across which it is roundest, all without facets, or its hull; by default a ball is one, and others are as they are; "box", "ball", "cylinder", "capsule", "hull" or "mesh"
 ---@field simulated_model? string model that rigid bodies meet instead of the one that is felt, as a simple one of many triangles
 ---@field shape? string what a rigid body, or a solid one among them, collides as; by default a box or a ball as its model, else the hull of its model; mesh is the model itself with its hollows, as of a ring or a bowl; "box", "ball", "cylinder", "capsule", "hull" or "mesh"
 ---@field density? number of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900; in kilograms per cubic metre, 1 to 25000

@@ -59,7 +59,8 @@ class SentForce {
         return loop_->state().applied_W;
     }
     /// Calm rounds at a place where nothing is touched, until the gate is open without its soft start.
-    void open_gate(const Vector3& free_W) {
+    void open_gate(const Vector3& free_W) { open_gate(Pose::at(free_W)); }
+    void open_gate(const Pose& free_W) {
         const SafetySettings& safety = plan_.haptic.safety;
         const double calm_s = safety.soft_start_s + 2 * safety.engage_cycles / plan_.haptic.rate_hz;
         for (double s = 0.0; s < calm_s; s += 1.0 / plan_.haptic.rate_hz) {

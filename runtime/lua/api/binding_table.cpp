@@ -1,6 +1,7 @@
 #include "runtime/lua/api/binding_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdio>
 #include <string_view>
@@ -165,10 +166,33 @@ std::string heard(std::string_view word) {
     return sound;
 }
 
+/// The candidate that says the same shape in another word; empty for none.
+std::string same_shape(std::string_view word, const std::vector<std::string>& candidates) {
+    using Words = std::array<std::string_view, 5>;
+    constexpr std::array<Words, 4> kShapes{{{"box", "block", "cube", "brick", "cuboid"},
+                                            {"ball", "sphere", "orb", "globe", "marble"},
+                                            {"capsule", "pill", "stadium", "spherocylinder"},
+                                            {"cylinder", "tube", "pipe", "disc", "can"}}};
+    for (const Words& words : kShapes) {
+        if (word.empty() || std::ranges::find(words, word) == words.end()) {
+            continue;
+        }
+        for (const std::string& candidate : candidates) {
+            if (std::ranges::find(words, candidate) != words.end()) {
+                return candidate;
+            }
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates,
                          std::size_t most_steps) {
+    if (std::string same = same_shape(word, candidates); !same.empty()) {
+        return same;
+    }
     std::string best;
     std::size_t least = std::max<std::size_t>(1, std::min(most_steps, word.size() / 2)) + 1;
     if (word.size() > 40) {

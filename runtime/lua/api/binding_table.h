@@ -167,7 +167,8 @@ void add_kite_api(ApiTable& table);
 [[nodiscard]] std::string range_text(const Parameter& parameter);
 /// The names of a choice.
 [[nodiscard]] std::vector<std::string> choices_of(const Parameter& parameter);
-/// The candidate that `word` most likely stands for, as it is written or as it is heard, at most `most_steps` letters away; empty when none is so near.
+/// The candidate that `word` most likely stands for: the same shape by another name, or as it is written or as it is heard, at most
+/// `most_steps` letters away; empty when none is so near.
 [[nodiscard]] std::string nearest_word(std::string_view word,
                                        const std::vector<std::string>& candidates,
                                        std::size_t most_steps = 3);

@@ -45,9 +45,9 @@ constexpr Parameter kFeltShape{
     0,
     0,
     "nil",
-    "what the hand feels of that model, as large as it reaches: a ball, a box, an upright "
-    "cylinder or capsule, all without facets, or its hull; by default a ball is one, and "
-    "others are as they are",
+    "what the hand feels of that model, as large as it reaches: a ball, a box, a cylinder or "
+    "capsule about the axis across which it is roundest, all without facets, or its hull; by "
+    "default a ball is one, and others are as they are",
     "box ball cylinder capsule hull mesh"};
 constexpr Parameter kShape{
     "shape",
@@ -138,21 +138,6 @@ JointDescription take_joint(lua_State* lua, const LessonContext& context,
     return joint;
 }
 
-/// The shape that is called so elsewhere; empty for none.
-std::string shape_for(std::string_view model) {
-    for (const std::string_view box : {"block", "cube", "brick", "cuboid"}) {
-        if (model == box) {
-            return std::string(kBoxModel);
-        }
-    }
-    for (const std::string_view ball : {"ball", "orb", "globe", "marble"}) {
-        if (model == ball) {
-            return std::string(kSphereModel);
-        }
-    }
-    return nearest_word(model, {std::string(kBoxModel), std::string(kSphereModel)});
-}
-
 /// The volume of a shape whose size the lesson knows.
 double find_volume_m3(lua_State* lua, const BodyDescription& body) {
     const std::string model = as_simulated(body).model;
@@ -160,7 +145,8 @@ double find_volume_m3(lua_State* lua, const BodyDescription& body) {
         return box_size_m(body).prod();
     }
     if (!is_ball_model(model)) {
-        const std::string near = shape_for(model);
+        const std::string near =
+            nearest_word(model, {std::string(kBoxModel), std::string(kSphereModel)});
         raise_in_lesson(lua, body.name + " has a density, and no volume is known of model = \"" +
                                  model + "\", only of \"" + std::string(kBoxModel) + "\" and \"" +
                                  std::string(kSphereModel) + "\"; " +

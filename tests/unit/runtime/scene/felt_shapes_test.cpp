@@ -205,6 +205,48 @@ TEST_CASE("felt shapes: cursors with a shape of their own feel them so, too") {
     CHECK((sent - closed_form(loop, place, hand_W)).norm() < 1.0e-3);
 }
 
+TEST_CASE("felt shapes: a model whose middle is not its origin is felt the same where it lies") {
+    const Vector3 middle(0.12, -0.2, 0.07);
+    const Vector3 upright(2.0 * kRound_m, 2.0 * kHalf_m, 2.0 * kRound_m);
+    const PlacedBox placed{middle, upright};
+    const MeshShape off = touchable(make_boxes(std::span(&placed, 1)));
+    const MeshShape log = touchable(make_box({upright.y(), upright.x(), upright.z()}));
+    // What is upright at the origin, turned so that it lies along x.
+    const Quaternion lies(AngleAxis(-0.5 * std::numbers::pi, Vector3::UnitZ()));
+    const Vector3 n = Vector3(0.5, 0.1, 0.86).normalized();
+    for (const CursorShape& cursor : {CursorShape(), CursorShape(SphereShape{0.004}),
+                                      CursorShape(CapsuleShape{0.004, 0.004})}) {
+        for (const BodyShape shape :
+             {BodyShape::ball, BodyShape::box, BodyShape::cylinder, BodyShape::capsule}) {
+            const double pressed_m = shape == BodyShape::ball  ? 0.097
+                                     : shape == BodyShape::box ? 0.068
+                                                               : 0.0595;
+            const auto feel = [&](const MeshShape& mesh, const Pose& at_W) {
+                SentForce loop(make_felt_lesson(metal(), shape, cursor), mesh);
+                const Quaternion& turn_W = at_W.orientation;
+                loop.open_gate(Pose{at_W * Vector3(0.25 * n), turn_W});
+                // In to where it is pressed, and on along the side.
+                for (int i = 0; i <= 1200; ++i) {
+                    const double out_m = std::max(0.25 - 2.0e-4 * i, pressed_m);
+                    const double up_m = std::max(i - 1000, 0) * 5.0e-5;
+                    (void)loop.step(
+                        Pose{at_W * Vector3(out_m * n + up_m * Vector3::UnitY()), turn_W});
+                }
+                CHECK(loop.state().touched_body == 0);
+                return Vector3(turn_W.conjugate() * loop.state().applied_W.force);
+            };
+            const Vector3 there_B = feel(touchable(make_box(upright)), Pose{});
+            INFO("cursor " << cursor.index() << ", shape " << static_cast<int>(shape) << ": "
+                           << there_B.norm() << " N");
+            CHECK(there_B.norm() > 0.5);
+            CHECK((feel(off, Pose::at(middle)) - there_B).norm() < 1.0e-6);
+            if (shape == BodyShape::cylinder || shape == BodyShape::capsule) {
+                CHECK((feel(log, {Vector3::Zero(), lies}) - there_B).norm() < 1.0e-6);
+            }
+        }
+    }
+}
+
 TEST_CASE(
     "felt shapes: a cursor that turns is felt as it stands, and turns no faster than the gate") {
     const Material material = metal();
