@@ -14,13 +14,13 @@ namespace {
 using namespace fulcrum::assets;
 
 constexpr Model (*kModels[])() = {
-    make_watermelon, make_apple,   make_banana, make_egg,     make_bucket,  make_cursor,
-    make_ghost,      make_star,    make_ground, make_hill,    make_tree,    make_cloud,
-    make_flower,     make_plank,   make_sphere, make_box,     make_cloth,   make_spaceship,
-    make_table,      make_statue,  make_bell,   make_chair,   make_castle,  make_sun,
-    make_mercury,    make_venus,   make_earth,  make_mars,    make_jupiter, make_saturn,
-    make_uranus,     make_neptune, make_lever,  make_support, make_ring,    make_bowl,
-    make_walker,     make_gem,     make_handles};
+    make_watermelon, make_apple,   make_banana,  make_egg,      make_bucket,  make_cursor,
+    make_ghost,      make_star,    make_ground,  make_hill,     make_tree,    make_cloud,
+    make_flower,     make_plank,   make_sphere,  make_box,      make_cloth,   make_spaceship,
+    make_table,      make_statue,  make_bell,    make_chair,    make_castle,  make_sun,
+    make_mercury,    make_venus,   make_earth,   make_mars,     make_jupiter, make_saturn,
+    make_uranus,     make_neptune, make_lever,   make_support,  make_ring,    make_bowl,
+    make_walker,     make_gem,     make_handles, make_cylinder, make_capsule};
 
 void write(const std::filesystem::path& folder, const Model& model) {
     const auto bytes = encode_glb(model);

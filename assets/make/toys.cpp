@@ -1,4 +1,4 @@
-// Cursor, ghost, star, plank, sphere, box.
+// Cursor, ghost, star, plank, sphere, box, cylinder, capsule.
 #include "assets/make/models.h"
 #include "assets/make/noise.h"
 #include "assets/make/parts.h"
@@ -31,6 +31,19 @@ double star_outline(double angle) {
     const double a = std::min(std::hypot(off, kRounding_rad), kHalfPoint_rad);
     return kPoint_m * kCorner_m * std::sin(kHalfPoint_rad) /
            (kPoint_m * std::sin(a) + kCorner_m * std::sin(kHalfPoint_rad - a));
+}
+
+// A surface of revolution in quarters of two colours: one sees how it turns.
+Model make_striped(const char* name, const std::function<Vector2(double v)>& profile) {
+    MeshPart part = outward(tessellate(revolve(profile), 48, 20));
+    part.picture = 0;
+    part.roughness = 0.45;
+    Model model{name, {}, {}};
+    model.pictures.push_back(paint(256, 4, [](double u, double /*v*/) {
+        return static_cast<int>(4.0 * u) % 2 == 0 ? srgb(0x4C9A6A) : srgb(0xF3EFE2);
+    }));
+    model.parts = {std::move(part)};
+    return model;
 }
 
 }  // namespace
@@ -124,6 +137,37 @@ Model make_box() {
     }));
     model.parts = {std::move(faces)};
     return model;
+}
+
+Model make_cylinder() {
+    constexpr double kRadius_m = 0.04;
+    constexpr double kHalf_m = 0.08;
+    constexpr double kRim_m = 0.001;  // rounded, so that it catches the light
+    // Over the top to its rim, round it, down the side and so on: each stretch in as many rows as it needs.
+    return make_striped("cylinder", [](double v) {
+        const double w = std::abs(2.0 * v - 1.0);  // 1 at a pole, 0 half way down
+        const double side = v < 0.5 ? 1.0 : -1.0;
+        if (w > 0.7) {
+            return Vector2((kRadius_m - kRim_m) * (1.0 - w) / 0.3, side * kHalf_m);
+        }
+        const double turn = 0.5 * std::numbers::pi * (0.7 - std::max(w, 0.5)) / 0.2;
+        const double down = w < 0.5 ? w / 0.5 : 1.0;
+        return Vector2(kRadius_m - kRim_m * (1.0 - std::sin(turn)),
+                       side * (down * (kHalf_m - kRim_m) + kRim_m * std::cos(turn)));
+    });
+}
+
+Model make_capsule() {
+    constexpr double kRadius_m = 0.04;
+    constexpr double kStraight_m = 0.06;  // to each side
+    return make_striped("capsule", [](double v) {
+        const double w = std::abs(2.0 * v - 1.0);
+        const double side = v < 0.5 ? 1.0 : -1.0;
+        const double turn = 0.5 * std::numbers::pi * std::max(w - 0.3, 0.0) / 0.7;
+        const double straight = std::min(w / 0.3, 1.0);
+        return Vector2(kRadius_m * std::cos(turn),
+                       side * (kStraight_m * straight + kRadius_m * std::sin(turn)));
+    });
 }
 
 Model make_plank() {

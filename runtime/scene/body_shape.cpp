@@ -129,6 +129,14 @@ struct NameShape {
 
 }  // namespace
 
+BodyShape shape_of_model(std::string_view model) noexcept {
+    return is_ball_model(model)      ? BodyShape::ball
+           : model == kBoxModel      ? BodyShape::box
+           : model == kCylinderModel ? BodyShape::cylinder
+           : model == kCapsuleModel  ? BodyShape::capsule
+                                     : BodyShape::model;
+}
+
 Expected<PlacedShape> make_felt_shape(BodyShape kind, const MeshShape& model) {
     if (kind == BodyShape::mesh || kind == BodyShape::hull) {
         return make_of_triangles(kind, model).map([](const SolidShape& shape) {

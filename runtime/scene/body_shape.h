@@ -14,6 +14,9 @@
 
 namespace fulcrum::runtime {
 
+/// What a model is by its name: a ball, a box, a cylinder or a capsule; `model` of any other.
+[[nodiscard]] BodyShape shape_of_model(std::string_view model) noexcept;
+
 struct PlacedShape {
     SolidShape shape;
     Pose shape_B{};  ///< where it lies in the body; what is made of triangles lies where they are

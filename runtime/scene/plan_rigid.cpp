@@ -25,10 +25,8 @@ constexpr std::uint32_t kGripButtons = 1U;
 
 BodyShape find_kind(const BodyDescription& body) {
     const BodyShape asked = body.collides_as;
-    return asked != BodyShape::model   ? asked
-           : is_ball_model(body.model) ? BodyShape::ball
-           : body.model == kBoxModel   ? BodyShape::box
-                                       : BodyShape::hull;
+    const BodyShape named = asked != BodyShape::model ? asked : shape_of_model(body.model);
+    return named != BodyShape::model ? named : BodyShape::hull;
 }
 
 Error about(const BodyDescription& body, const Error& error) {

@@ -50,15 +50,21 @@ Expected<void> check_in_hand(const SolidPlan& solid, const MaterialDescription& 
     return {};
 }
 
-/// A ball is felt by its formula, for its mesh would be felt as facets; other models as what the lesson makes of them. The mesh of a box is
-/// the box itself. Tools are made for meshes.
+/// A ball, a post and a pill are felt by their formula, for their meshes would be felt as facets; other models as what the lesson makes
+/// of them. The mesh of a box is the box itself. Tools are made for meshes.
 Expected<PlacedShape> find_felt_shape(const BodyDescription& body, const HandDescription& hand,
                                       const MeshShape& mesh) {
-    if (body.felt_as == BodyShape::model) {
-        const bool is_ball = is_ball_model(body.model) && body.boxes.empty() && !hand.tool;
-        return PlacedShape{is_ball ? SolidShape(SphereShape{body.radius_m}) : SolidShape(mesh)};
+    BodyShape kind = body.felt_as;
+    if (kind == BodyShape::model) {
+        kind = body.boxes.empty() && !hand.tool ? shape_of_model(body.model) : BodyShape::mesh;
+        if (kind == BodyShape::ball) {
+            return PlacedShape{SphereShape{body.radius_m}};
+        }
+        if (kind == BodyShape::box || kind == BodyShape::model) {
+            return PlacedShape{mesh};
+        }
     }
-    auto felt = make_felt_shape(body.felt_as, mesh).and_then([](const PlacedShape& made) {
+    auto felt = make_felt_shape(kind, mesh).and_then([](const PlacedShape& made) {
         return validate(made.shape).map([&made] { return made; });
     });
     if (felt && hand.tool) {

@@ -1,4 +1,4 @@
-// The models that are shapes: felt by their formula, and drawn from a model of size 1 at the body's radius.
+// The models that are shapes: felt by their formula, and but for post and pill drawn from a model of size 1 at the body's radius.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,10 @@ inline constexpr std::string_view kSphereModel = "sphere";
 inline constexpr int kSphereModelFrequency = 24;
 /// A cube twice that wide.
 inline constexpr std::string_view kBoxModel = "box";
+
+/// A post and a pill of a size of their own.
+inline constexpr std::string_view kCylinderModel = "cylinder";
+inline constexpr std::string_view kCapsuleModel = "capsule";
 
 /// A thin line in a circle of the body's radius, across its own y axis: the way of a planet. It cannot be touched.
 inline constexpr std::string_view kOrbitModel = "orbit";

@@ -136,6 +136,15 @@ TEST_CASE("plan: the hand feels what the lesson makes of a model, and explain sa
                {"\nFelt as their triangles: thing, a hull of 12.\n"});
     check_says(explain(lesson, plan_of_shape(BodyShape::box)),
                {"\nFelt by their formula, without facets: thing, a box; earth, a ball.\n"});
+    // The program's own post is one, felt and simulated, for a tool as its model is.
+    lesson.bodies[0].model = "cylinder";
+    lesson.bodies[0].rigid.emplace();
+    const Plan post = plan_of_shape(BodyShape::model);
+    CHECK(std::get<CylinderShape>(post.haptic.solids[0].shape).radius_m == Approx(0.05));
+    REQUIRE(post.rigid);
+    CHECK(std::holds_alternative<CylinderShape>(post.rigid->world.bodies[1].shape));
+    lesson.bodies[0].rigid.reset();
+    lesson.bodies[0].model = "brick";
     const Plan capsule = plan_of_shape(BodyShape::capsule);
     CHECK(std::get<CapsuleShape>(capsule.haptic.solids[0].shape).radius_m == Approx(0.05));
     check_says(explain(lesson, capsule),
