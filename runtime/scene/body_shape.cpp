@@ -186,7 +186,7 @@ Expected<MeshShape> make_shape_mesh(const SolidShape& shape, const Pose& shape_B
             for (Vector3& vertex_B : vertices_B) {
                 vertex_B = shape_B * vertex_B;
             }
-            const auto triangles = mesh.triangles();
+            const auto& triangles = mesh.triangles();
             return TriangleMesh::build(std::move(vertices_B), {triangles.begin(), triangles.end()});
         })
         .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });

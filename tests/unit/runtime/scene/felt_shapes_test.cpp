@@ -263,7 +263,7 @@ TEST_CASE(
         for (int i = 1; i <= 400; ++i) {
             const double turn_rad = std::min(0.1 * i, 0.6);
             hand.orientation = Quaternion(AngleAxis(turn_rad, Vector3::UnitZ()));
-            const Vector3& sent_W = loop.step(hand);
+            const Vector3& sent_W = loop.step(hand).force;
             REQUIRE((sent_W - last_W).norm() < slew_N);
             last_W = sent_W;
         }
@@ -292,10 +292,12 @@ TEST_CASE("felt shapes: a hand that turns a cursor twice feels the same to the b
         (void)press(loop, Vector3(0.0, kHalf_m + 0.03, 0.0), Vector3(0.0, kHalf_m + 0.013, 0.0));
         for (int i = 0; i < 2000; ++i) {
             const double s = 1.0e-3 * i;
-            forces_W.push_back(loop.step(
-                {Vector3(0.03 * std::sin(3.0 * s), kHalf_m + 0.01 + 0.003 * std::cos(5.0 * s),
-                         0.02 * std::sin(2.0 * s)),
-                 Quaternion(AngleAxis(2.0 * std::sin(4.0 * s), Vector3(0.6, 0.0, 0.8)))}));
+            forces_W.push_back(loop.step(Pose{Vector3(0.03 * std::sin(3.0 * s),
+                                                      kHalf_m + 0.01 + 0.003 * std::cos(5.0 * s),
+                                                      0.02 * std::sin(2.0 * s)),
+                                              Quaternion(AngleAxis(2.0 * std::sin(4.0 * s),
+                                                                   Vector3(0.6, 0.0, 0.8)))})
+                                   .force);
         }
     };
     std::vector<Vector3> once_W;
