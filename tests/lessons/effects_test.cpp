@@ -155,7 +155,8 @@ TEST_CASE("explain --json: one object, with the figures when it was played") {
     INFO(run.output);
     REQUIRE(run.exit_code == 0);
     CHECK(run.output.front() == '{');
-    check_says(run.output, {"\"stage\": \"forces: lesson\"", "\"calls\": 1000"});
+    check_says(run.output, {"\"stage\": \"forces: lesson\"", "\"calls\": 1000",
+                            "\"what\": \"answers of 60 Hz\""});
 }
 
 namespace {
