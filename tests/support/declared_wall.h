@@ -139,6 +139,11 @@ class DeclaredWallRig {
         wanted.pose_D.position.y() = height_m;
         target_.publish(wanted);
     }
+    /// Rests until the gate is open, and from then on wants to be press_m inside.
+    void press() {
+        run(plan_.haptic.safety.soft_start_s + 0.5);
+        aim(-wall_.press_m);
+    }
     /// One round of the loop, and, half a round later, of the arm's side.
     void step() {
         now_s_ += 1.0 / wall_.rate_Hz;
@@ -231,9 +236,7 @@ class DeclaredWallRig {
 /// Until it is decided.
 [[nodiscard]] inline DeclaredWallCourse press_declared_wall(const DeclaredWall& wall) {
     DeclaredWallRig rig(wall);
-    const SafetySettings& safety = rig.plan().safety;
-    rig.run(safety.soft_start_s + 0.5);
-    rig.aim(-wall.press_m);
+    rig.press();
     DeclaredWallCourse course;
     course.felt = rig.felt();
     z_width::WallTrial judged;

@@ -21,8 +21,7 @@ double find_withheld_N(const HumanImpedance& human, double slew_N_per_s, bool ha
         plan.safety.max_transient_N = has_transients ? plan.safety.max_transient_N : 0.0;
     };
     test::DeclaredWallRig rig(wall);
-    rig.run(rig.plan().safety.soft_start_s + 0.5);
-    rig.aim(-wall.press_m);
+    rig.press();
     double most_N = 0.0;
     for (int n = 0; n < 500; ++n) {
         rig.step();
@@ -36,7 +35,7 @@ double find_withheld_N(const HumanImpedance& human, double slew_N_per_s, bool ha
 
 LineChart draw_slew(const Run& run) {
     LineChart chart;
-    chart.name = "gate-slew";
+    chart.name = "gate-limits-slew";
     chart.title = "What the gate keeps back when a wall is met, over its slew";
     chart.work =
         "Hands come down 10 mm by their own spring and press 4 mm into a wall of 1000 N/m and 9.5 "
@@ -88,7 +87,7 @@ SoftStart start_softly(const HumanImpedance& human, double soft_start_N_per_s) {
 
 void add_soft_start(const Run& run, Report& report) {
     LineChart chart;
-    chart.name = "gate-soft-start";
+    chart.name = "gate-limits-soft-start";
     chart.title = "How a force that is there from the start comes in, over the soft start";
     chart.work = "Hands rest 20 mm from where a spring of 100 N/m pulls them to, from the start.";
     chart.advice = "As it ships, 5 N/s: nobody is pushed faster than he can follow.";
@@ -96,7 +95,7 @@ void add_soft_start(const Run& run, Report& report) {
     const auto rises_N_per_s =
         run.pick<std::vector<double>>({1, 2, 5, 10, 20, 50, 100, 200}, {2, 20});
     LineChart waits = chart;
-    waits.name = "gate-soft-start-waits";
+    waits.name = "gate-limits-soft-start-waits";
     chart.y = {"fastest of the hand", "mm/s", false};
     waits.y = {"until nine tenths of it are felt", "s", false};
     for (const TriedHand& hand : kHands) {
@@ -116,7 +115,7 @@ void add_soft_start(const Run& run, Report& report) {
 
 LineChart draw_saturation(const Run& run) {
     LineChart chart;
-    chart.name = "gate-saturation";
+    chart.name = "gate-limits-saturation";
     chart.title = "How soft a wall becomes where the limit of force cuts it";
     chart.work =
         "A hand of 300 N/m that keeps its posture wants to be 10 mm inside walls: how deep it "
@@ -136,8 +135,7 @@ LineChart draw_saturation(const Run& run) {
                 .stiffness_N_per_m = stiffness_N_per_m, .human = kPosture, .press_m = kWanted_m};
             wall.change = [&](HapticPlan& plan) { plan.safety.max_force_N = limit_N; };
             test::DeclaredWallRig rig(wall);
-            rig.run(rig.plan().safety.soft_start_s + 0.5);
-            rig.aim(-wall.press_m);
+            rig.press();
             rig.run(3.0);
             return 1.0e3 * rig.run_window().depth_m;
         });
@@ -209,13 +207,13 @@ Report run_passivity_budget(Run& run) {
     Report report;
     run.progress(0.0, "headroom");
     add_passivity(
-        run, report, "passivity-headroom", {"headroom", "J", true},
+        run, report, "passivity-budget-headroom", {"headroom", "J", true},
         run.pick<std::vector<double>>({1e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 1e-2}, {1e-5, 1e-4}),
         "As it ships, 0.1 mJ: with more a wall buzzes before it is braked.",
         [](PassivitySettings& settings, double headroom_J) { settings.headroom_J = headroom_J; });
     run.progress(0.5, "memory");
     add_passivity(
-        run, report, "passivity-memory", {"memory", "s", true},
+        run, report, "passivity-budget-memory", {"memory", "s", true},
         run.pick<std::vector<double>>({0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}, {0.1, 1.0}),
         "As it ships, 0.1 s: what dampers earned long ago licenses no buzz.",
         [](PassivitySettings& settings, double memory_s) { settings.memory_s = memory_s; });

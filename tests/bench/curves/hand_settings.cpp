@@ -52,8 +52,7 @@ double find_turning_error(double cutoff_Hz, double amplitude_rad, double frequen
     constexpr double kStep_rad = 2.0 * std::numbers::pi / 8192.0;
     AngularVelocityEstimator estimator(cutoff_Hz);
     const double w = 2.0 * std::numbers::pi * frequency_Hz;
-    double squares = 0.0;
-    int n = 0;
+    RootMeanSquare errors;
     for (int k = 0; k < static_cast<int>(10.0 * kRate_Hz); ++k) {
         const double t_s = k / kRate_Hz;
         const double angle_rad =
@@ -61,11 +60,10 @@ double find_turning_error(double cutoff_Hz, double amplitude_rad, double frequen
         const Vector3 turn(0.0, 0.0, angle_rad);
         const double told = estimator.step(compute_exp(turn), t_s).z();
         if (t_s > 1.0) {
-            squares += std::pow(told - amplitude_rad * w * std::cos(w * t_s), 2);
-            ++n;
+            errors.add(told - amplitude_rad * w * std::cos(w * t_s));
         }
     }
-    return std::sqrt(squares / n);
+    return errors.value();
 }
 
 Report run_angular_cutoff(Run& run) {

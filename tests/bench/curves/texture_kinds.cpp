@@ -51,7 +51,7 @@ Sent stroke(const TextureSettings& texture) {
     }
     const double step_m = kStroke_m_per_s / loop.plan().rate_hz;
     Sent sent;
-    std::vector<double> along_N;
+    RootMeanSquare along_N;
     Vector3 before_N = loop.step(place(0.0));
     Vector3 before_W = place(0.0);
     for (int n = 0; n < 2; ++n) {  // the second round counts
@@ -59,23 +59,14 @@ Sent stroke(const TextureSettings& texture) {
             const Vector3 hand_W = place(s_m);
             const Vector3 force_N = loop.step(hand_W);
             if (n == 1) {
-                along_N.push_back(force_N.x());
+                along_N.add(force_N.x());
                 sent.energy_mJ += 1.0e3 * before_N.dot(hand_W - before_W);
             }
             before_N = force_N;
             before_W = hand_W;
         }
     }
-    const auto swing = [](const std::vector<double>& values) {
-        const double count = static_cast<double>(values.size());
-        double sum = 0.0, squares = 0.0;
-        for (const double value : values) {
-            sum += value;
-            squares += value * value;
-        }
-        return std::sqrt(std::max(squares / count - std::pow(sum / count, 2), 0.0));
-    };
-    sent.along_N = swing(along_N);
+    sent.along_N = along_N.swing();
     return sent;
 }
 
@@ -160,13 +151,14 @@ double find_slope_error(int n) {
         for (int i = -10; i <= 10; ++i) {
             const double shift_m = middle_m + 0.05 * span_m * i;
             const std::vector<double> exact = felt(sine, shift_m);
-            double error = 0.0, all = 0.0;
+            RootMeanSquare error;
+            RootMeanSquare all;
             for (std::size_t k = 0; k < exact.size(); ++k) {
-                error += std::pow(drawn[k] - exact[k], 2);
-                all += exact[k] * exact[k];
+                error.add(drawn[k] - exact[k]);
+                all.add(exact[k]);
             }
-            if (std::sqrt(error / all) < best) {
-                best = std::sqrt(error / all);
+            if (error.value() / all.value() < best) {
+                best = error.value() / all.value();
                 best_m = shift_m;
             }
         }

@@ -18,18 +18,16 @@ double measure_swing_error(const VelocitySettings& settings, double amplitude_m,
                            double frequency_Hz) {
     VelocityEstimator estimator(settings);
     const double w = 2.0 * std::numbers::pi * frequency_Hz;
-    double sum = 0.0;
-    int n = 0;
+    RootMeanSquare errors;
     for (int k = 0; k < static_cast<int>(20.0 * kRate_Hz); ++k) {
         const double t_s = k / kRate_Hz;
         const Vector3 y(count_steps(amplitude_m * std::sin(w * t_s)), 0.0, 0.0);
         const double error = estimator.step(y, t_s).x() - amplitude_m * w * std::cos(w * t_s);
         if (t_s > 0.2) {
-            sum += error * error;
-            ++n;
+            errors.add(error);
         }
     }
-    return 1000.0 * std::sqrt(sum / n);
+    return 1000.0 * errors.value();
 }
 
 // How late the estimate is, in ms, while the hand speeds up from rest at 2 m/s^2.

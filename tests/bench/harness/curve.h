@@ -5,6 +5,7 @@
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/must.h"
 #include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/root_mean_square.h"
 
 #include <algorithm>
 #include <array>
