@@ -127,7 +127,7 @@ void LinearisedWrenchStage::accept(const LinearisedWrench& model, double excess,
     const Wrench plain_W = compute_plain(position_W, velocity_W, now_s).wrench_W;
     offset_W_ = {before_W.force - plain_W.force, before_W.torque - plain_W.torque};
     blend_s_ = excess * excess *
-               std::max({kBlend_s, offset_W_.force.norm() / kAnswerSlew_N_per_s,
+               std::max({settings_.blend_s, offset_W_.force.norm() / kAnswerSlew_N_per_s,
                          offset_W_.torque.norm() / kAnswerSlew_Nm_per_s});
 }
 

@@ -8,7 +8,7 @@
 //           timeout; the torque likewise
 //   blend   at a new answer the difference to what was felt before is kept and taken away in a
 //           straight line: F <- F + D (1 - age / T_b), D = F_before - F_new at this x, v;
-//           T_b = e^2 max(kBlend_s, |D_F| / kAnswerSlew_N_per_s, |D_T| / kAnswerSlew_Nm_per_s)
+//           T_b = e^2 max(blend_s, |D_F| / kAnswerSlew_N_per_s, |D_T| / kAnswerSlew_Nm_per_s)
 //           e   the asked |K|, |B|, |S| over its bound, the largest of the three, at least 1
 //   gains   |K|, |B|, |S| bounded (Frobenius norms, scaled as a whole); the symmetric part of B
 //           loses its positive eigenvalues: v.B v > 0 would feed energy into the hand
@@ -73,7 +73,8 @@ inline constexpr double kAnswerSlew_Nm_per_s = 3.0;
 /// What a lesson's answers may do; world frame. At a workspace scale s the gains are those felt in
 /// the hand divided by s.
 struct LinearisedWrenchSettings {
-    double timeout_s = 0.1;  ///< an answer older than this begins to fade; above 0
+    double timeout_s = 0.1;     ///< an answer older than this begins to fade; above 0
+    double blend_s = kBlend_s;  ///< from one answer to the next; above 0
     double max_force_N = 10.0;
     double max_torque_Nm = 1.0;
     double max_stiffness_N_per_m = kMaxFeltStiffness_N_per_m;

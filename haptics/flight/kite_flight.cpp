@@ -48,7 +48,11 @@ void KiteFlight::step(double dt_s, const Vector3& hand_W) noexcept {
     if (!(dt_s > 0.0) || !std::isfinite(dt_s) || !is_finite(hand_W)) {
         return;
     }
-    step_gusts(settings_.wind, state_.pose_W.position.y() - settings_.wind.ground_m, dt_s, gusts_);
+    if (n_steps_ == 0) {
+        step_gusts(settings_.wind, state_.pose_W.position.y() - settings_.wind.ground_m,
+                   settings_.steps_a_gust * dt_s, gusts_);
+    }
+    n_steps_ = (n_steps_ + 1) % settings_.steps_a_gust;
     const Vector3 wind_W = compute_wind_W(settings_.wind, gusts_, state_.pose_W.position);
     report_.air_way_m += settings_.wind.speed_m_per_s * dt_s;
     const Vector3 gravity_W(0.0, -settings_.gravity_m_per_s2, 0.0);

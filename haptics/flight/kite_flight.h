@@ -28,6 +28,7 @@ struct KiteFlightSettings {
     WindSettings wind{};
     double gravity_m_per_s2 = 9.81;  ///< downwards, 0 to 100
     double ground_N_per_m = 300.0;   ///< under each corner, 10 to 1e4
+    int steps_a_gust = 1;            ///< gusts change once in so many steps, 1 to 100
 };
 
 /// How a flight stands after a step. World frame, newtons.
@@ -86,6 +87,7 @@ class KiteFlight {
     IntegratorSettings integrator_{};
     std::vector<PlaneContact> corners_;
     GustState gusts_{};
+    int n_steps_ = 0;  // since the gusts changed
     RigidState state_{};
     KiteReport report_{};
 };

@@ -8,6 +8,7 @@ Expected<void> validate(const KiteFlightSettings& settings) {
     const Range ranges[] = {
         {"gravity in metres per second squared", settings.gravity_m_per_s2, 0.0, 100.0},
         {"ground's stiffness in newtons a metre", settings.ground_N_per_m, 10.0, 1.0e4},
+        {"steps in which gusts change", static_cast<double>(settings.steps_a_gust), 1.0, 100.0},
     };
     for (auto checked : {validate(settings.kite), validate(settings.line), validate(settings.wind),
                          check_ranges("a kite's", ranges)}) {

@@ -80,8 +80,8 @@ class ContactStage {
     std::array<TouchForce, kMaxTouches> touches_{};
     std::array<DampedPlane, kMaxTouches> planes_{};  // of the touches
     std::size_t n_touches_ = 0;
-    EnergyLoan loan_{};  // of shading
-    double period_s_;    // of the loop
+    EnergyLoan loan_;  // of shading
+    double period_s_;  // of the loop
     // In the round before.
     std::int32_t lender_ = kNoBody;  // the solid that was lent of
     Vector3 hand_W_{Vector3::Zero()};

@@ -80,6 +80,8 @@ class HapticLoop final : public PeriodicTask {
 
     /// What was published last.
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
+    /// What the device told last that was a pose.
+    [[nodiscard]] const DeviceReading& told() const noexcept { return told_; }
     /// Whether the last round left it stopped, with no force at the device.
     [[nodiscard]] bool is_still() const noexcept { return is_still_; }
     /// For how long it was asked for something to be felt, and what became of it.

@@ -49,6 +49,7 @@ LinearisedWrenchSettings choose_lesson_settings(const HapticPlan& plan,
     }
     LinearisedWrenchSettings settings;
     settings.timeout_s = safety.command_timeout_s;
+    settings.blend_s = 1.0 / plan.lesson_rate_hz;
     settings.max_force_N = safety.max_force_N;
     settings.max_torque_Nm = safety.max_torque_Nm;
     settings.max_stiffness_N_per_m = std::max(left.stiffness_N_per_m, 0.0);
@@ -107,6 +108,7 @@ Expected<void> validate(const HapticPlan& plan) {
         {"rate in hertz", plan.rate_hz, 1000.0, kMostRate_Hz},
         {"workspace scale", plan.workspace.scale, 0.01, 100.0},
         {"onset of a weight in seconds", plan.weight_onset_s, 0.02, 5.0},
+        {"answers of a lesson in hertz", plan.lesson_rate_hz, 1.0, kMostRate_Hz},
         {"number of force fields", static_cast<double>(plan.fields.size()), 0.0, kMaxFields},
     };
     const Expected<void> checks[] = {
@@ -114,6 +116,7 @@ Expected<void> validate(const HapticPlan& plan) {
         validate(plan.safety),
         validate(plan.coupling),
         validate(plan.passivity),
+        validate(plan.shading_loan),
         validate(plan.proxy, plan.solids),
         check_ringing(plan),
         validate_axles(plan),

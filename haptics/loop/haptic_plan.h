@@ -12,6 +12,7 @@
 #include "haptics/math/spatial.h"
 #include "haptics/point/proxy_plan.h"
 #include "haptics/point/solid_plan.h"
+#include "haptics/surface/energy_loan.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -122,12 +123,14 @@ struct HapticPlan {
     SafetySettings safety{};
     CouplingSettings coupling{};
     PassivitySettings passivity{};
+    EnergyLoanSettings shading_loan{};  ///< of what even normals on facets give a hand
     double velocity_cutoff_hz =
         80.0;  ///< of the turning's low pass, and of the velocity's where its method is one
     VelocityMethod velocity_method = VelocityMethod::adaptive_window;
     bool carries_weight = false;    ///< a weight stage: something can lie in the tool
     double weight_onset_s = 0.3;    ///< how softly a weight arrives and leaves
     bool lesson_force = false;      ///< a linearised Lua wrench
+    double lesson_rate_hz = 60.0;   ///< how often the lesson answers
     bool expects_lesson = true;     ///< commands come from a lesson and must stay fresh
     bool expects_world = false;     ///< a world loop runs and must stay fresh
     ProxySettings proxy{};          ///< what touches them

@@ -6,10 +6,11 @@
 namespace fulcrum {
 
 void EnergyLoan::allow(double limit_J, double dt_s) noexcept {
-    const double wanted_J = limit_J > 0.0 && std::isfinite(limit_J) ? limit_J : 0.0;
+    const double wanted_J =
+        limit_J > 0.0 && std::isfinite(limit_J) ? settings_.share * limit_J : 0.0;
     const double kept = std::clamp(1.0 - dt_s / kLoanMemory_s, 0.0, 1.0);
     limit_J_ = std::max(wanted_J, kept * limit_J_);
-    owed_J_ *= std::clamp(1.0 - dt_s / kDebtMemory_s, 0.0, 1.0);
+    owed_J_ *= std::clamp(1.0 - dt_s / settings_.debt_memory_s, 0.0, 1.0);
 }
 
 void EnergyLoan::leave(double dt_s) noexcept {

@@ -29,8 +29,18 @@ inline constexpr double kLoanMemory_s = 1.0;
 inline constexpr double kDebtMemory_s = 10.0;
 inline constexpr double kUnfelt_N = 0.01;
 
+/// Fixed at load.
+struct EnergyLoanSettings {
+    double debt_memory_s = kDebtMemory_s;  ///< in which a debt fades, 0.01 to 1e6
+    double share = 1.0;                    ///< of what is asked to be lent, 0 to 100
+};
+
 class EnergyLoan {
   public:
+    EnergyLoan() = default;
+    /// Takes settings that `validate` accepted (surface_plan.h).
+    explicit EnergyLoan(const EnergyLoanSettings& settings) noexcept : settings_(settings) {}
+
     /// The limit is at least `limit_J` now; a higher one from before falls towards it in `dt_s`. Not finite or negative: 0.
     void allow(double limit_J, double dt_s) noexcept;
     /// The surface was left `dt_s` ago, or in the round before: what is owed stays owed.
@@ -51,6 +61,7 @@ class EnergyLoan {
     [[nodiscard]] Vector3 lend(double given_J, const Vector3& motion_W,
                                const Vector3& against_W) noexcept;
 
+    EnergyLoanSettings settings_{};
     double limit_J_ = 0.0;
     double owed_J_ = 0.0;
     Vector3 force_W_{Vector3::Zero()};

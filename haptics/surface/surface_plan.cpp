@@ -9,6 +9,12 @@ Expected<void> validate(const ShadingSettings& settings) {
     return check_ranges("the shading's", ranges);
 }
 
+Expected<void> validate(const EnergyLoanSettings& settings) {
+    const Range ranges[] = {{"memory of a debt in seconds", settings.debt_memory_s, 0.01, 1.0e6},
+                            {"share", settings.share, 0.0, 100.0}};
+    return check_ranges("the energy loan's", ranges);
+}
+
 Expected<void> validate(const SurfacePlan& plan) {
     return validate(plan.texture).and_then([&] { return validate(plan.transient); }).and_then([&] {
         return validate(plan.shading);

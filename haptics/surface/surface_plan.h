@@ -4,6 +4,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/surface/energy_loan.h"
 #include "haptics/surface/texture_settings.h"
 #include "haptics/surface/transient_settings.h"
 
@@ -26,5 +27,6 @@ struct SurfacePlan {
 /// Refuses settings outside the ranges named at each field, NaN included.
 [[nodiscard]] Expected<void> validate(const ShadingSettings& settings);
 [[nodiscard]] Expected<void> validate(const SurfacePlan& plan);
+[[nodiscard]] Expected<void> validate(const EnergyLoanSettings& settings);
 
 }  // namespace fulcrum

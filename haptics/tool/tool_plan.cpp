@@ -123,6 +123,8 @@ GodObjectSettings make_god_object_settings(const ToolPlan& plan) {
                           settings.coupling.shift.stiffness_N_per_m);
     made.grip_T = settings.grip_T;
     made.handle_turn = settings.handle_turn;
+    made.gap_m = plan.god_gap_m;
+    made.most_rounds = plan.god_rounds;
     made.own_motion = !plan.beside;
     made.age = plan.age;
     return made;

@@ -43,7 +43,9 @@ struct ToolPlan {
     std::optional<PenaltyPlan>
         penalty{};        ///< then among fields or contact levels, which find the contacts
     bool beside = false;  ///< contact is found by work beside the steps, where the method has such
-    ContactAgeSettings age{};  ///< then
+    ContactAgeSettings age{};   ///< then
+    int god_rounds = 100;       ///< of a god-object: GodObjectSettings::most_rounds ...
+    double god_gap_m = 1.0e-6;  ///< ... and gap_m
 
     [[nodiscard]] std::size_t n_objects() const {
         return std::visit([](const auto& plans) { return plans.size(); }, objects);

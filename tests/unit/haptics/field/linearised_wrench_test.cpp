@@ -213,15 +213,17 @@ TEST_CASE("linearised wrench: damping that would push is taken out, the rest of 
     }
 }
 
-TEST_CASE("linearised wrench: a small change takes a sixtieth of a second, a large one its slew") {
+TEST_CASE("linearised wrench: a small change takes the time of an answer, a large one its slew") {
     struct Case {
         Wrench answer;
         double blend_s;
+        LinearisedWrenchSettings settings{};
     };
-    for (const Case& entry : {Case{{Vector3(0.1, 0, 0), Vector3(0, 0.01, 0)}, 1.0 / 60.0},
+    const Wrench small{Vector3(0.1, 0, 0), Vector3(0, 0.01, 0)};
+    for (const Case& entry : {Case{small, 1.0 / 60.0}, Case{small, 0.04, {.blend_s = 0.04}},
                               Case{{Vector3(0, 3, -4), Vector3(0, 0.03, 0)}, 0.1},
                               Case{{Vector3(0, 0.5, 0), Vector3(0, 0, 0.3)}, 0.1}}) {
-        LinearisedWrenchStage stage{LinearisedWrenchSettings{}};
+        LinearisedWrenchStage stage{entry.settings};
         LinearisedWrench model;
         model.force_W = entry.answer.force;
         model.torque_W = entry.answer.torque;

@@ -325,3 +325,31 @@ TEST_CASE("kite flight: the mean wind carries; what is no number or no part is r
                         [](F& all) { all.line.segments = 0; },
                         [](F& all) { all.wind.speed_m_per_s = -1.0; }});
 }
+
+TEST_CASE("kite flight: gusts that change once in some steps are those of steps as long") {
+    KiteFlightSettings settings;
+    settings.wind.gustiness = 1.0;
+    settings.line.length_m = 20.0;
+    KiteFlight coarse(settings);
+    settings.steps_a_gust = 4;
+    KiteFlight fine(settings);
+    KiteFlightSettings own = settings;
+    own.steps_a_gust = 1;
+    KiteFlight other(own);
+    for (KiteFlight* flight : {&coarse, &fine, &other}) {
+        flight->launch(kHand_W, 0.7, 1.1);
+    }
+    fly(coarse, 0.5);
+    fly(fine, 0.5, 0.25 * kDt_s);
+    fly(other, 0.5, 0.25 * kDt_s);
+    const auto apart_m = [&](const KiteFlight& flight) {
+        return (flight.report().centre_W - coarse.report().centre_W).norm();
+    };
+    INFO(apart_m(fine) << " m, in gusts of its own " << apart_m(other) << " m");
+    constexpr double kStepsOwn = 0.25;  // what is left is backward Euler's error of the steps
+    CHECK(apart_m(fine) < kStepsOwn * apart_m(other));
+    settings.steps_a_gust = 0;
+    CHECK(is_refused(validate(settings), "gusts"));
+    settings.steps_a_gust = 101;
+    CHECK(is_refused(validate(settings), "gusts"));
+}

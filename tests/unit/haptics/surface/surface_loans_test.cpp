@@ -1,5 +1,6 @@
 #include "haptics/surface/energy_loan.h"
 #include "haptics/surface/stroke_filter.h"
+#include "haptics/surface/surface_plan.h"
 #include "haptics/surface/transient.h"
 
 #include <catch2/catch.hpp>
@@ -145,6 +146,22 @@ TEST_CASE(
     CHECK(loan.owed_J() == 0.0);
     CHECK(loan.limit_J() == 0.0);
     CHECK(loan.step(along_x(1.0), along_x(0.3)).held_W == Vector3::Zero());
+}
+
+TEST_CASE("energy loan: a share of what is asked for is lent, and a debt fades in its memory") {
+    EnergyLoan loan({.debt_memory_s = 2.0, .share = 0.25});
+    loan.allow(1.0, 0.001);
+    CHECK(loan.limit_J() == 0.25);
+    (void)loan.step(along_x(1.0), Vector3::Zero());
+    (void)loan.step(along_x(1.0), along_x(0.2));
+    loan.leave(0.5);
+    CHECK(loan.owed_J() == Approx(0.2 * (1.0 - 0.5 / 2.0)));
+    for (const EnergyLoanSettings& bad :
+         {EnergyLoanSettings{.debt_memory_s = 0.009}, EnergyLoanSettings{.debt_memory_s = HUGE_VAL},
+          EnergyLoanSettings{.share = -0.1}, EnergyLoanSettings{.share = std::nan("")}}) {
+        CHECK_FALSE(validate(bad));
+    }
+    CHECK(validate(EnergyLoanSettings{}));
 }
 
 TEST_CASE("energy loan: where a limit falls nothing falls due that was not given in that round") {
