@@ -5,6 +5,7 @@
 #include "runtime/app/felt_notes.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/knob_errors.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/menu_screen.h"
@@ -17,6 +18,7 @@
 #include "runtime/progress/report.h"
 #include "runtime/progress/sqlite/sqlite_store.h"
 #include "runtime/scene/explain.h"
+#include "runtime/scene/knobs.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -93,10 +95,14 @@ int tell_unknown_asked(LessonRun& run) {
     return unknown;
 }
 
-// Plays the lesson under the virtual clock, each stage timed. The lesson's prints would be in the way of the figures.
-Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& end_s) {
+// Plays the lesson under the virtual clock, each stage timed, and then its loops alone once more for each knob of the plan. The lesson's
+// prints would be in the way of the figures.
+Expected<Analysis> measure_stages(LessonRun& run, const Places& places, const RunRequest& request,
+                                  const std::optional<double>& end_s) {
     StageClock clock(run.plan());
+    RunTape tape(run.all_traits());
     HeadlessSettings settings;
+    settings.tape = &tape;
     settings.end_s = end_s;
     settings.clock = &clock;
     settings.shows_prints = false;
@@ -117,7 +123,12 @@ Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& e
         std::fprintf(stderr,
                      "The hand stayed where it was, so little was done; give --hand FILE.lua.\n");
     }
-    return clock.finish(outcome->simulated_s, outcome->wall_s);
+    Analysis analysis = clock.finish(outcome->simulated_s, outcome->wall_s);
+    analysis.knobs = measure_knobs(
+        tape, run.plan(), place_at_first(run.description()),
+        list_knobs(run.description(), run.plan(), tape.hands()),
+        [&](const auto& change) { return run.compile_changed(places, request, change); });
+    return analysis;
 }
 
 }  // namespace
@@ -285,10 +296,11 @@ int explain_command(const Installation& installation, const Options& options) {
     request.plan.record = !options.record.empty();
     // The record is built, so that its size and time can be told; what it says is nobody's.
     request.record_file = "/dev/null";
-    return with_run(installation, options, request, [&](LessonRun& run, const auto& /*folder*/) {
+    return with_run(installation, options, request, [&](LessonRun& run, const auto& folder) {
+        request.folder = folder;
         std::optional<Analysis> analysis;
         if (options.analyze) {
-            auto measured = measure_stages(run, options.seconds);
+            auto measured = measure_stages(run, installation.places, request, options.seconds);
             if (!measured) {
                 return complain(measured.error(), 1);
             }

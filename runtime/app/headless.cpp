@@ -28,12 +28,13 @@ class VirtualClock {
           spoiler_(settings.spoiler),
           deadlines_(settings.deadlines),
           felt_(settings.felt),
+          tape_(settings.tape),
           again_after_s_(settings.again_after_s),
           rate_hz_(run.plan().haptic.rate_hz),
           world_every_(
               run.world_loop() != nullptr ? std::lround(rate_hz_ / run.plan().world_rate_hz()) : 0),
           kite_every_(run.plan().kite ? std::lround(rate_hz_ / run.plan().kite->rate_hz) : 0),
-          frame_rate_hz_(run.plan().lesson_rate_hz) {
+          frame_rate_hz_(run.plan().haptic.lesson_rate_hz) {
         if (deadlines_ != nullptr) {
             const auto period_s = [&](long every) { return static_cast<double>(every) / rate_hz_; };
             deadlines_->begin({1.0 / rate_hz_, period_s(world_every_), period_s(kite_every_),
@@ -69,6 +70,9 @@ class VirtualClock {
             if (kite_is_due) {
                 run_.kite_loop()->step(now_s());
             }
+        }
+        if (tape_ != nullptr) {
+            tape_->keep_round(run_.all_loops());
         }
         if (deadlines_ != nullptr) {
             watch_deadlines(jumped_s_ - before_s, world_is_due, kite_is_due);
@@ -179,6 +183,7 @@ class VirtualClock {
     RunSpoiler* spoiler_;
     DeadlineWatch* deadlines_;
     FeltWatch* felt_;
+    RunTape* tape_;
     double again_after_s_;
     double ended_s_ = -1.0;
     double jumped_s_ = 0.0;
@@ -289,6 +294,10 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
     if (settings.shows_prints) {
         print_lines(run.process().prints_while_loading());
     }
+    if (settings.tape != nullptr) {
+        run.listen_to_lesson(
+            [tape = settings.tape](const SessionOutput& output) { tape->keep_frame(output); });
+    }
 
     while (clock.now_s() < end_s && !interrupted()) {
         if (clock.frame_is_due()) {
@@ -305,6 +314,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
         }
         clock.tick();
     }
+    run.listen_to_lesson({});
     outcome.interrupted = interrupted();
     outcome.never_ended = !outcome.finished && !settings.end_s && clock.now_s() >= longest_s;
     run.hands_loop().silence(clock.now_s());
@@ -336,7 +346,7 @@ Expected<HeadlessOutcome> run_in_real_time(LessonRun& run, const HeadlessSetting
     };
     double now_s = 0.0;
     for (long frame = 0; now_s < end_s && !interrupted(); ++frame) {
-        sleep_s(static_cast<double>(frame) / run.plan().lesson_rate_hz - now_s);
+        sleep_s(static_cast<double>(frame) / run.plan().haptic.lesson_rate_hz - now_s);
         now_s = monotonic_now_s() - began_s;
         FrameInput input;
         input.time_s = now_s;

@@ -8,6 +8,7 @@
 #include "runtime/app/felt_watch.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/run_spoiler.h"
+#include "runtime/app/run_tape.h"
 #include "runtime/app/simulated_desk.h"
 #include "runtime/app/stage_clock.h"
 
@@ -38,6 +39,8 @@ struct HeadlessSettings {
     double again_after_s = 0.0;
     /// Times every stage; null for a plain run, which is the same to the byte.
     StageClock* clock = nullptr;
+    /// Keeps what the loops are told; null for a plain run, which is the same to the byte.
+    RunTape* tape = nullptr;
     bool shows_prints = true;  ///< what the lesson prints goes to standard output
     bool shows_talk = false;   ///< so does what is shown, asked, answered, see transcript.h
     std::vector<std::string>* talk = nullptr;  ///< where the same is kept; null: nowhere

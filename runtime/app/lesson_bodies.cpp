@@ -65,19 +65,27 @@ void LessonRun::look_around() {
     hand_->see(nearest_W);
 }
 
-void LessonRun::place_visible_bodies() {
-    if (!world_loop_) {
-        return;
-    }
-    const auto& bodies = session_->description().bodies;
+std::vector<WorldCommand> place_at_first(const LessonDescription& lesson) {
+    std::vector<WorldCommand> commands;
+    const auto& bodies = lesson.bodies;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies[i].visible || bodies[i].solid) {
             WorldCommand place;
             place.kind = WorldCommand::Kind::place;
             place.body = static_cast<std::int32_t>(i);
             place.position_W = bodies[i].position_W;
-            (void)world_channels_->commands.push(place);  // as many as bodies: they fit
+            commands.push_back(place);
         }
+    }
+    return commands;
+}
+
+void LessonRun::place_visible_bodies() {
+    if (!world_loop_) {
+        return;
+    }
+    for (const WorldCommand& place : place_at_first(session_->description())) {
+        (void)world_channels_->commands.push(place);  // as many as bodies: they fit
     }
 }
 

@@ -142,7 +142,8 @@ Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& re
     if (plan_.kite) {
         kite_ = std::make_unique<KiteChannels>();
         channels_.kite = kite_.get();
-        kite_loop_ = std::make_unique<KiteLoop>(plan_.kite->flight, plan_.kite->rate_hz, *kite_);
+        kite_loop_ = std::make_unique<KiteLoop>(plan_.kite->flight,
+                                                plan_.kite->rate_hz * plan_.kite->n_parts, *kite_);
     }
     if (plan_.rigid) {
         if (auto built = build_rigid_loop(); !built) {
@@ -336,6 +337,9 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     }
     if (recorder_) {
         recorder_->keep_output(last_frame_s_, *output, session_->result());
+    }
+    if (heard_) {
+        heard_(*output);
     }
     channels_.command.publish(output->force);
     lead_more_hands(*output);

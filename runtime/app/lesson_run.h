@@ -33,6 +33,7 @@
 #include "runtime/scene/view.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,6 +107,17 @@ class LessonRun {
     /// The same round, told stage by stage.
     void step_hands(double now_s, StageListener& listener);
     [[nodiscard]] std::size_t n_hands() const { return 1 + more_hands_.size(); }
+    /// The loop of each hand, and what is known of its device.
+    [[nodiscard]] std::vector<const HapticLoop*> all_loops() const;
+    [[nodiscard]] std::vector<DeviceTraits> all_traits() const;
+    /// Told from now on of each frame what the lesson ordered; empty: nobody is.
+    void listen_to_lesson(std::function<void(const SessionOutput&)> heard) {
+        heard_ = std::move(heard);
+    }
+    /// What the same lesson would be planned as, were it changed so.
+    [[nodiscard]] Expected<Plan> compile_changed(
+        const Places& places, const RunRequest& request,
+        const std::function<void(LessonDescription&)>& change) const;
     /// The hand that is moved so, counted from 0; none where no hand is.
     [[nodiscard]] std::optional<std::size_t> find_hand(HandKind kind) const;
     /// Whether a simulated person on whose arm things break sees anything to touch now.
@@ -317,7 +329,11 @@ class LessonRun {
     SourceLine say_line_ = 0;
     std::size_t n_given_lines_ = 0;
     double last_frame_s_ = 0.0;
+    std::function<void(const SessionOutput&)> heard_;
 };
+
+/// What a world is told before the first frame: which bodies are there.
+[[nodiscard]] std::vector<WorldCommand> place_at_first(const LessonDescription& lesson);
 
 /// What a lesson's print() said, on the terminal, at once.
 void print_lines(const std::vector<std::string>& lines);

@@ -143,4 +143,12 @@ void LessonRun::fit_to_reach(const Places& places, const RunRequest& request, st
         " times as far in the scene as the lesson says; --scale says otherwise.");
 }
 
+Expected<Plan> LessonRun::compile_changed(
+    const Places& places, const RunRequest& request,
+    const std::function<void(LessonDescription&)>& change) const {
+    LessonDescription scene = scene_;
+    change(scene);
+    return compile(places, request, scene);
+}
+
 }  // namespace fulcrum::runtime

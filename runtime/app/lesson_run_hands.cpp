@@ -159,6 +159,22 @@ void LessonRun::step_hands(double now_s, StageListener& listener) {
     }
 }
 
+std::vector<const HapticLoop*> LessonRun::all_loops() const {
+    std::vector<const HapticLoop*> loops{haptic_loop_.get()};
+    for (const auto& hand : more_hands_) {
+        loops.push_back(hand->loop.get());
+    }
+    return loops;
+}
+
+std::vector<DeviceTraits> LessonRun::all_traits() const {
+    std::vector<DeviceTraits> traits;
+    for (std::size_t hand = 0; hand < n_hands(); ++hand) {
+        traits.push_back(hand_at(hand).device().traits());
+    }
+    return traits;
+}
+
 std::optional<std::size_t> LessonRun::find_hand(HandKind kind) const {
     if (hand_->kind() == kind) {
         return 0;

@@ -256,7 +256,8 @@ void LessonScreen::exchange() {
             fail_with(sent.error());
             return;
         }
-        next_frame_s_ = std::max(next_frame_s_ + 1.0 / run_->plan().lesson_rate_hz, now_s - 0.1);
+        next_frame_s_ =
+            std::max(next_frame_s_ + 1.0 / run_->plan().haptic.lesson_rate_hz, now_s - 0.1);
     }
     const double give_up_s = monotonic_now_s() + kAnswerPatience_s;
     std::optional<Expected<FrameReport>> report;

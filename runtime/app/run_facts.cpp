@@ -177,7 +177,7 @@ void add_plan(const FactSources& run, Facts& facts) {
               std::string(kVelocities[static_cast<std::size_t>(haptic.velocity_method)]));
     facts.add("plan.coupling N/m", haptic.coupling.stiffness_N_per_m);
     facts.add("plan.coupling Ns/m", haptic.coupling.damping_Ns_per_m);
-    facts.add("plan.lesson Hz", plan.lesson_rate_hz);
+    facts.add("plan.lesson Hz", plan.haptic.lesson_rate_hz);
     facts.add("plan.world Hz", plan.world_rate_hz());
     facts.add("plan.kite Hz", plan.kite ? plan.kite->rate_hz : 0.0);
     facts.add("plan.felt scale", plan.felt_scale);

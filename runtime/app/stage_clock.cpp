@@ -1,7 +1,6 @@
 #include "runtime/app/stage_clock.h"
 
 #include "haptics/base/clock.h"
-#include "haptics/tool/tool_plan.h"
 #include "runtime/app/tool_lacks.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/plan_hands.h"
@@ -10,9 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <string>
-#include <variant>
 
 namespace fulcrum::runtime {
 namespace {
@@ -31,25 +28,6 @@ double quantile(std::vector<float>& sorted, double share) {
     return sorted.empty()
                ? 0.0
                : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
-// What nothing measures here: how far the force is off that of the true surfaces.
-StageError tell_unmeasured(const ToolPlan& tool) {
-    constexpr double kUnbounded = std::numeric_limits<double>::quiet_NaN();
-    const auto* const god = std::get_if<std::vector<GodObjectPlan>>(&tool.objects);
-    if (god == nullptr) {
-        return {"force off", kUnbounded, "N",
-                tool.penalty
-                    ? "bodies that do not give: contacts are springs, and a few stand for many"
-                    : "bodies that do not give: points stand for the tool, and their contacts are "
-                      "springs"};
-    }
-    const bool rubs = std::ranges::any_of(
-        *god, [](const GodObjectPlan& object) { return object.friction.any(); });
-    return {"force off", kUnbounded, "N",
-            rubs ? "Coulomb's law: answers among many contacts are cut"
-                 : "bodies that do not give: what contacts change by more than facets do comes "
-                   "in within 0.05 s"};
 }
 
 }  // namespace
@@ -169,11 +147,8 @@ void StageClock::compare(const HapticState& state,
 }
 
 void StageClock::add_tool_errors(StageFigures& figures) const {
-    if (plan_.haptic.tool) {
-        figures.errors.push_back(tell_unmeasured(*plan_.haptic.tool));
-    }
     if (tool_.n_inexact > 0) {
-        figures.errors.push_back({"force that a budget left out at most", tool_.most_error_N, "N",
+        figures.errors.push_back({"left out by the budget at most", tool_.most_error_N, "N",
                                   "all points looked at that may touch"});
     }
     for (std::size_t i = 0; i < kToolLacks; ++i) {

@@ -2,6 +2,7 @@
 
 #include "haptics/flight/kite_loop.h"
 #include "haptics/loop/stage_listener.h"
+#include "runtime/app/repeated_faults.h"
 
 #include <utility>
 
@@ -13,10 +14,6 @@ void publish_told(const Record& record, const RecordTold& told, LatestValue<T>& 
     T value;
     read_told(record, told, value);
     to.publish(value);
-}
-
-void set(std::atomic<bool>& flag, bool value) noexcept {
-    flag.store(value, std::memory_order_release);
 }
 
 }  // namespace
@@ -71,17 +68,7 @@ void ToldReplay::begin_round(At& at) noexcept {
     }
     const RecordSample& sample = record.samples[at.next_sample++];
     at.time_s = sample.time_s;
-    if (any(sample.faults & Fault::emergency_stop)) {
-        channels.emergency_stop.tap();
-    }
-    set(channels.other_stopped, any(sample.faults & Fault::other_stopped));
-    set(channels.lesson_failed, any(sample.faults & Fault::lesson_failed));
-    set(channels.ended, any(sample.faults & Fault::ended));
-    const bool is_stopped = sample.gate == GatePhase::stopped;
-    if (at.was_stopped && !is_stopped) {
-        set(channels.rearm, true);
-    }
-    at.was_stopped = is_stopped;
+    repeat_faults(sample.faults, sample.gate, at.was_stopped, channels);
 }
 
 void ToldReplay::tell(const At& at, const RecordTold& told) noexcept {

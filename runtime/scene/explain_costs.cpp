@@ -7,7 +7,6 @@
 #include "runtime/text/json.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -33,15 +32,51 @@ std::string cost_row(const PlanStage& stage, const StageFigures& figures, double
 }
 
 std::string error_row(const PlanStage& stage, const StageError& error) {
-    std::array<char, 48> value{"not bounded"};
-    if (std::isfinite(error.value)) {
-        std::snprintf(value.data(), value.size(), "%.3g %s", error.value, error.unit.c_str());
-    }
+    std::array<char, 48> value{};
+    std::snprintf(value.data(), value.size(), "%.3g %s", error.value, error.unit.c_str());
     std::array<char, 256> text{};
     std::snprintf(text.data(), text.size(), "%-8s %-17s %s %s%s%s\n", stage.loop.c_str(),
                   stage.name.c_str(), error.what.c_str(), value.data(),
                   error.against.empty() ? "" : ", against ", error.against.c_str());
     return text.data();
+}
+
+// "0.001, 0.004, 0.02 N"
+std::string three_text(const std::array<double, 3>& values, const char* unit) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.2g, %.2g, %.2g %s", values[0], values[1], values[2],
+                  unit);
+    return text.data();
+}
+
+std::string knob_row(const PlanStage& stage, const KnobError& error) {
+    std::array<char, 48> head{};
+    std::snprintf(head.data(), head.size(), "%-8s %-17s ", stage.loop.c_str(), stage.name.c_str());
+    std::string row = head.data() + error.what + ": ";
+    if (!error.because.empty()) {
+        return row + "no reference: " + error.because + "\n";
+    }
+    row += three_text(error.force_N, "N");
+    if (error.turns) {
+        row += "; " + three_text(error.torque_Nm, "N m");
+    }
+    return row + "; against " + error.against + "\n";
+}
+
+std::string knobs_text(const Plan& plan, const std::vector<KnobError>& knobs) {
+    if (knobs.empty()) {
+        return {};
+    }
+    std::array<char, 200> head{};
+    std::snprintf(head.data(), head.size(),
+                  "\nWhat each knob leaves at the device: the first %.1f s once more with the "
+                  "same poses and\nthat knob converged, differences rms, 99 %% and at most:\n\n",
+                  knobs.front().seconds);
+    std::string text = head.data();
+    for (const KnobError& error : knobs) {
+        text += knob_row(plan.stages[error.stage], error);
+    }
+    return text;
 }
 
 Json json_of(const PlanStage& stage) {
@@ -69,6 +104,32 @@ void add_costs(Json& stages, const Analysis& analysis) {
         stage.add("p99_us", figures.p99_us);
         stage.add("share", total_us > 0.0 ? figures.total_us / total_us : 0.0);
         stage.add("errors", std::move(errors));
+    }
+}
+
+Json json_of(const KnobError& error) {
+    const auto three = [&](const std::array<double, 3>& values) {
+        return error.because.empty() ? Json::array({values[0], values[1], values[2]}) : Json();
+    };
+    Json json = Json::object({{"what", error.what},
+                              {"against", error.against},
+                              {"because", error.because},
+                              {"seconds", error.seconds},
+                              {"force_N", three(error.force_N)}});
+    if (error.turns) {
+        json.add("torque_Nm", three(error.torque_Nm));
+    }
+    return json;
+}
+
+void add_knobs(Json& stages, const std::vector<KnobError>& knobs) {
+    for (std::size_t i = 0; i < knobs.size();) {
+        const std::size_t stage = knobs[i].stage;
+        Json list = Json::array();
+        for (; i < knobs.size() && knobs[i].stage == stage; ++i) {
+            list.push_back(json_of(knobs[i]));
+        }
+        stages.at(stage).add("knobs", std::move(list));
     }
 }
 
@@ -163,9 +224,10 @@ std::string explain_costs(const Plan& plan, const Analysis& analysis) {
         }
     }
     if (!errors.empty()) {
-        result += "\nHow far from the truth, where it is known:\n\n" + errors;
+        result +=
+            "\nWhat stages counted, and how far from the truth where it is known:\n\n" + errors;
     }
-    return result;
+    return result + knobs_text(plan, analysis.knobs);
 }
 
 std::string explain_json(const LessonDescription& lesson, const Plan& plan,
@@ -180,6 +242,7 @@ std::string explain_json(const LessonDescription& lesson, const Plan& plan,
         whole.add("wall_s", analysis->wall_s);
         whole.add("clock_us", analysis->clock_us);
         add_costs(stages, *analysis);
+        add_knobs(stages, analysis->knobs);
     }
     whole.add("stages", std::move(stages));
     whole.add("felt_by_formula", json_of_formulas(lesson, plan));

@@ -152,7 +152,7 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         add("world", "rigid bodies", plan.rigid->rate_hz, "bodies lie, fall and are pushed",
             first_rigid_line(lesson));
     }
-    add("lesson", "lua", plan.lesson_rate_hz, "every lesson is a Lua file", 0);
+    add("lesson", "lua", plan.haptic.lesson_rate_hz, "every lesson is a Lua file", 0);
     if (plan.dialogue) {
         add("lesson", "dialogue", 0.0,
             "it asks questions, answered as " + std::string(name_of(plan.speech)),

@@ -98,6 +98,7 @@ struct KitePlan {
     KiteFlightSettings flight{};
     double rate_hz = kKiteRate_Hz;
     double elevation_rad = 0.7;  ///< of the line at a launch
+    int n_parts = 1;             ///< steps in each of its rounds
 };
 
 struct Plan {
@@ -106,7 +107,6 @@ struct Plan {
     std::optional<WorldPlan> world;      ///< absent when nothing falls and is caught
     std::optional<RigidLoopPlan> rigid;  ///< absent without rigid bodies; never with the other
     std::optional<KitePlan> kite;        ///< absent when nothing flies
-    double lesson_rate_hz = 60.0;
     bool picture = false;
     bool sound = false;
     bool touch_sound = false;  ///< strokes and taps are heard: a solid body is audible

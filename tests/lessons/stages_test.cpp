@@ -69,3 +69,40 @@ TEST_CASE("stages: what costs time when it is played is what was said before") {
         CHECK(list(find_stages(told.output)) == list(find_stages(played.output)));
     }
 }
+
+TEST_CASE(
+    "stages: each knob of each lesson says what it leaves at the device, or why nobody knows") {
+    const std::map<std::string, Stages> knobs{
+        {"gravity", {"rounds of", "velocity by", "the brake", "steps of"}},
+        {"kite", {"rounds of", "velocity by", "the brake", "segments of the line", "steps of"}},
+        {"lever", {"rounds of", "velocity by", "the brake", "points of the tool", "iterations of"}},
+        {"maze-park", {"rounds of", "velocity by", "the brake", "rounds of the friction cone"}},
+        {"solar-system", {"rounds of", "velocity by", "the brake", "the relief's law"}},
+        {"stacks", {"rounds of", "velocity by", "the brake", "steps of", "solver within"}},
+        {"textures", {"rounds of", "velocity by", "the brake", "points of a relief", "facets of"}}};
+    const Sandbox sandbox;
+    const auto find_rows = [&](const std::string& lesson) {
+        const ProgramRun run =
+            sandbox.run("explain " + lesson + " --analyze --headless --seconds 3");
+        INFO(lesson << run.output);
+        REQUIRE(run.exit_code == 0);
+        const std::size_t table = run.output.find("What each knob leaves at the device");
+        REQUIRE(table != std::string::npos);
+        return run.output.substr(table);
+    };
+    REQUIRE(knobs.size() == kAsked.size());
+    for (const auto& [lesson, expected] : knobs) {
+        const std::string rows = find_rows(lesson);
+        INFO(rows);
+        for (const std::string& knob : expected) {
+            const std::size_t row = rows.find(" " + knob);
+            INFO(knob);
+            REQUIRE(row != std::string::npos);
+            const std::string text = rows.substr(row, rows.find('\n', row) - row);
+            CHECK((text.find(" N; ") != std::string::npos) !=
+                  (text.find("no reference: ") != std::string::npos));
+        }
+        CHECK(rows.find("could not be repeated") == std::string::npos);
+        CHECK(rows == find_rows(lesson));
+    }
+}

@@ -94,13 +94,39 @@ TEST_CASE("explain costs: a line a timed stage with calls, times, share and memo
     check_lacks(text, {"lua"});
 }
 
-TEST_CASE("explain costs: what nothing bounds is said not to be bounded, as JSON null") {
+TEST_CASE(
+    "explain costs: what a knob leaves at the device stands with its reference, or why there is "
+    "none") {
     Analysis analysis = make_analysis();
-    analysis.stages.back().errors = {{"force off", std::nan(""), "N", "bodies that do not give"}};
-    check_says(explain_costs(make_plan(), analysis),
-               {"force off not bounded, against bodies that do not give\n"});
-    const auto timed = nlohmann::json::parse(explain_json(make_lesson(), make_plan(), &analysis));
-    CHECK(timed["stages"][1]["errors"][0]["value"].is_null());
+    analysis.knobs = {{.stage = 0,
+                       .what = "rounds of 1000 Hz",
+                       .against = "5000 Hz",
+                       .seconds = 9.5,
+                       .force_N = {0.001, 0.02, 0.3},
+                       .torque_Nm = {1e-5, 2e-5, 3e-5},
+                       .turns = true},
+                      {.stage = 0, .what = "facets", .because = "nothing finer is known"},
+                      {.stage = 2, .what = "answers of 60 Hz", .against = "each round"}};
+    const std::string text = explain_costs(make_plan(), analysis);
+    check_says(text,
+               {"the first 9.5 s once more",
+                "haptic   read              rounds of 1000 Hz: 0.001, 0.02, 0.3 N; 1e-05, "
+                "2e-05, 3e-05 N m; against 5000 Hz\n",
+                "haptic   read              facets: no reference: nothing finer is known\n",
+                "lesson   lua               answers of 60 Hz: 0, 0, 0 N; against each round\n"});
+    const auto json = nlohmann::json::parse(explain_json(make_lesson(), make_plan(), &analysis));
+    const auto& knobs = json["stages"][0]["knobs"];
+    REQUIRE(knobs.size() == 2);
+    CHECK(knobs[0]["force_N"] == nlohmann::json({0.001, 0.02, 0.3}));
+    CHECK(knobs[0]["torque_Nm"][2] == 3e-5);
+    CHECK(knobs[0]["against"] == "5000 Hz");
+    CHECK(knobs[0]["seconds"] == 9.5);
+    CHECK(knobs[1]["force_N"].is_null());
+    CHECK(knobs[1]["because"] == "nothing finer is known");
+    CHECK_FALSE(json["stages"][1].contains("knobs"));
+    CHECK(json["stages"][2]["knobs"].size() == 1);
+    CHECK_FALSE(json["stages"][2]["knobs"][0].contains("torque_Nm"));
+    check_lacks(explain_costs(make_plan(), make_analysis()), {"knob"});
 }
 
 TEST_CASE("explain costs: no heading of errors where there are none") {
