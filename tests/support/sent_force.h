@@ -8,6 +8,7 @@
 #include "runtime/scene/plan.h"
 #include "tests/support/scripted_device.h"
 
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -34,11 +35,15 @@ inline runtime::LessonDescription make_touch_lesson(const Material& material, bo
 /// The loop of that lesson's plan with a hand that goes where it is told.
 class SentForce {
   public:
-    /// A plan that the program would refuse ends the program.
-    SentForce(const runtime::LessonDescription& lesson, std::shared_ptr<const CollisionMesh> mesh)
+    /// A plan that the program would refuse ends the program. `change`, for curves over a setting: of the plan, before it is used.
+    SentForce(const runtime::LessonDescription& lesson, std::shared_ptr<const CollisionMesh> mesh,
+              const std::function<void(HapticPlan&)>& change = {})
         : plan_(runtime::compile_plan(lesson, {}, [&](const auto&) { return mesh; }).value()) {
         plan_.haptic.expects_lesson = false;
         plan_.haptic.expects_world = false;
+        if (change) {
+            change(plan_.haptic);
+        }
         loop_ = std::make_unique<HapticLoop>(plan_.haptic, device_, channels_);
     }
     SentForce(const SentForce&) = delete;

@@ -3,6 +3,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/surface/energy_loan.h"
 #include "haptics/surface/materials.h"
+#include "tests/support/closed_path.h"
 #include "tests/support/sent_force.h"
 #include "tests/support/touchable.h"
 
@@ -13,6 +14,10 @@
 #include <numbers>
 
 using namespace fulcrum;
+using test::Given;
+using test::go_round;
+using test::make_arc;
+using test::Path;
 using test::SentForce;
 
 namespace {
@@ -31,51 +36,6 @@ Material make_undamped() {
 constexpr double kLent_J = 0.03;
 constexpr double kFade_W = kLent_J / kDebtMemory_s;
 constexpr double kLeak_W = 2.0 * PassivitySettings{}.headroom_J / PassivitySettings{}.memory_s;
-
-// A closed path: where the hand is at a share of it.
-using Path = std::function<Vector3(double share)>;
-
-struct Given {
-    double first_J = 0.0;  // in the first rounds
-    double last_J = 0.0;   // in as many later ones
-    double took_s = 0.0;   // the later ones
-    double way_m = 0.0;    // in them
-};
-
-// Round and round; the gate is open and the hand is on the path.
-Given go_round(SentForce& loop, const Path& path, double round_s) {
-    constexpr int kRounds = 20;
-    Given given;
-    Vector3 before_W = path(0.0);
-    Vector3 before_N = loop.step(before_W);
-    const double step = 1.0 / (round_s * loop.plan().rate_hz);
-    for (int round = 0; round < 2 * kRounds; ++round) {
-        for (double share = step; share < 1.0; share += step) {
-            const Vector3 hand_W = path(share);
-            const double work_J = before_N.dot(hand_W - before_W);
-            (round < kRounds ? given.first_J : given.last_J) += work_J;
-            given.way_m += round < kRounds ? 0.0 : (hand_W - before_W).norm();
-            before_N = loop.step(hand_W);
-            before_W = hand_W;
-        }
-    }
-    given.took_s = kRounds * round_s;
-    return given;
-}
-
-// There and back along an arc of a ball, deeper on the way there.
-Path make_arc(double radius_m, double from_rad, double span_rad, double deep_m, double shallow_m) {
-    static const Vector3 kAlong = Vector3(0.8, 0.1, -0.59).normalized();
-    static const Vector3 kAcross = kAlong.cross(Vector3(0.2, 1.0, 0.4)).normalized();
-    return [=](double share) {
-        const double turn = 2.0 * std::numbers::pi * share;
-        const double angle = from_rad + 0.5 * span_rad * (1.0 - std::cos(turn));
-        const double depth_m =
-            0.5 * (deep_m + shallow_m) + 0.5 * (deep_m - shallow_m) * std::sin(turn);
-        return Vector3((radius_m - depth_m) *
-                       (std::cos(angle) * kAlong + std::sin(angle) * kAcross));
-    };
-}
 
 }  // namespace
 
