@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -71,9 +72,8 @@ class Reference {
             hand_ = std::make_unique<TapedHand>(own, tape_.hands()[hand], plan.rigid.has_value());
             return {};
         }
-        return TapedLoops::create(plan, tape_.hands(), first).map([&](auto&& loops) {
-            loops_ = std::move(loops);
-        });
+        return TapedLoops::create(plan, tape_.hands(), first)
+            .map([&](std::unique_ptr<TapedLoops>&& loops) { loops_ = std::move(loops); });
     }
 
     // The round `k`, which `run` has just done.
@@ -166,9 +166,33 @@ std::vector<KnobError> name_errors(const RunTape& tape, const Plan& plan,
                         .because = knob.because,
                         .turns = has_torques(own)};
         error.seconds = static_cast<double>(tape.n_rounds()) / plan.haptic.rate_hz;
+        if (tape.n_rounds() == 0 && error.because.empty()) {
+            error.because = "nothing was played";
+        }
         errors.push_back(std::move(error));
     }
     return errors;
+}
+
+// By the number of their knob, where one can be built; where not, its error says why.
+using References = std::map<std::size_t, std::unique_ptr<Reference>>;
+
+References build_references(const RunTape& tape, const Plan& plan,
+                            const std::vector<WorldCommand>& first, const std::vector<Knob>& knobs,
+                            const PlanAnew& plan_anew, std::vector<KnobError>& errors) {
+    References references;
+    for (std::size_t i = 0; i < knobs.size(); ++i) {
+        if (!errors[i].because.empty()) {
+            continue;
+        }
+        auto reference = std::make_unique<Reference>(knobs[i], tape);
+        if (auto built = reference->build(plan, first, plan_anew); built) {
+            references[i] = std::move(reference);
+        } else {
+            errors[i].because = to_sentence(built.error());
+        }
+    }
+    return references;
 }
 
 }  // namespace
@@ -202,35 +226,22 @@ std::vector<KnobError> measure_knobs(const RunTape& tape, const Plan& plan,
                                      const std::vector<WorldCommand>& first,
                                      const std::vector<Knob>& knobs, const PlanAnew& plan_anew) {
     std::vector<KnobError> errors = name_errors(tape, plan, knobs);
-    std::vector<std::unique_ptr<Reference>> references(knobs.size());
-    for (std::size_t i = 0; i < knobs.size(); ++i) {
-        if (!knobs[i].because.empty() || (knobs[i].change && !plan_anew)) {
-            continue;
-        }
-        auto reference = std::make_unique<Reference>(knobs[i], tape);
-        if (auto built = reference->build(plan, first, plan_anew); built) {
-            references[i] = std::move(reference);
-        } else {
-            errors[i].because = to_sentence(built.error());
-        }
-    }
+    const References references = build_references(tape, plan, first, knobs, plan_anew, errors);
     auto again = TapedLoops::create(plan, tape.hands(), first);
     std::size_t n_different = again ? 0 : tape.n_rounds();
     for (std::size_t k = 0; again && k < tape.n_rounds(); ++k) {
         (*again)->step(tape);
         n_different += is_same(**again, tape, k) ? 0 : 1;
-        for (const auto& reference : references) {
-            if (reference) {
-                reference->step(**again, k);
-            }
+        for (const auto& [i, reference] : references) {
+            reference->step(**again, k);
         }
     }
-    for (std::size_t i = 0; i < knobs.size(); ++i) {
-        if (references[i] && n_different > 0) {
+    for (const auto& [i, reference] : references) {
+        if (n_different > 0) {
             errors[i].because = "the run could not be repeated: " + std::to_string(n_different) +
                                 " of its rounds differ";
-        } else if (references[i]) {
-            references[i]->finish(errors[i]);
+        } else {
+            reference->finish(errors[i]);
         }
     }
     return errors;

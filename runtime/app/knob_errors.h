@@ -20,7 +20,8 @@ namespace fulcrum::runtime {
 /// Plans a changed lesson.
 using PlanAnew = std::function<Expected<Plan>(const std::function<void(LessonDescription&)>&)>;
 
-/// Of each knob, in their order. `plan` is that of the tape's run, `first` what its world was told before the first frame.
+/// Of each knob, in their order. `plan` is that of the tape's run, `first` what its world was told before the first frame; `plan_anew` is asked
+/// for knobs that change the lesson alone.
 [[nodiscard]] std::vector<KnobError> measure_knobs(const RunTape& tape, const Plan& plan,
                                                    const std::vector<WorldCommand>& first,
                                                    const std::vector<Knob>& knobs,
