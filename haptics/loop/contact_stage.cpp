@@ -120,9 +120,10 @@ ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W
     const Pose& pose_W = solid_poses_W[index];
     Vector3 moved_W = Vector3::Zero();
     Vector3 against_W = Vector3::Zero();
-    if (solid == lender_) {
+    if (lender_ != kNoBody) {
+        // What was not touched in the round before is taken to stand still.
         moved_W = hand_W - hand_W_;
-        against_W = hand_W - pose_W * hand_B_;
+        against_W = solid == lender_ ? Vector3(hand_W - pose_W * hand_B_) : moved_W;
     }
     loan_.allow(compute_length(plain_W) * shading_[index]->bump_m(), period_s_);
     counted += loan_.step_evenly(shaded_W - plain_W, moved_W, against_W);

@@ -80,7 +80,7 @@ void ToolStage::follow_hand(const ToolRound& round) noexcept {
     hand_W_ = round.hand.pose_W;
     relief_loan_.settle();
     even_loan_.leave(round.dt_s);
-    lender_ = kNoBody;
+    forget_hand();
     solid_ = kNoBody;
     std::ranges::fill(pushes_, SolidPush{});
     add_up({});
@@ -89,6 +89,23 @@ void ToolStage::follow_hand(const ToolRound& round) noexcept {
 void ToolStage::add_lent(const WrenchLoan::Counted& lent, ToolForce& force) const noexcept {
     force.elastic_force += lent.force;
     force.elastic_torque += {lent.torque.now_W / scale_, lent.torque.held_W / scale_};
+}
+
+// The hand's, against what is pressed hardest; of what was not touched in the round before, as if that stood still.
+WrenchLoan::Way ToolStage::find_way_against(const ToolRound& round) const noexcept {
+    const Pose& hand_W = round.hand.pose_W;
+    if (solid_ == kNoBody) {
+        return find_motion(hand_W_, hand_W);
+    }
+    const auto i = static_cast<std::size_t>(solid_);
+    return find_motion(tracks_[i].tells_hand ? round.solid_poses_W[i] * tracks_[i].hand_B : hand_W_,
+                       hand_W);
+}
+
+void ToolStage::forget_hand() noexcept {
+    for (Track& track : tracks_) {
+        track.tells_hand = false;
+    }
 }
 
 // What of springs and reliefs in the coming period gives back the hand's work: of the springs all but what even normals turn of them, and of
@@ -103,19 +120,19 @@ void ToolStage::count(const ToolFelt& felt, const ToolRound& round, ToolForce& f
         add_lent(relief_loan_.step(felt.texture_W, motion_W), force);
     }
     if (has_shading_) {
-        const Pose& pressed_W =
-            solid_ != kNoBody ? round.solid_poses_W[static_cast<std::size_t>(solid_)] : Pose{};
-        const bool goes_on = solid_ != kNoBody && solid_ == lender_;
         even_loan_.allow(felt.even_J, round.dt_s);
-        const WrenchLoan::Counted lent = even_loan_.step_evenly(
-            felt.even_W, goes_on ? motion_W : WrenchLoan::Way{},
-            goes_on ? find_motion(pressed_W * hand_B_, hand_W) : WrenchLoan::Way{});
+        const WrenchLoan::Counted lent =
+            even_loan_.step_evenly(felt.even_W, motion_W, find_way_against(round));
         // The springs' part has it already.
         add_lent({{Vector3::Zero(), lent.force.held_W - lent.force.now_W},
                   {Vector3::Zero(), lent.torque.held_W - lent.torque.now_W}},
                  force);
-        lender_ = solid_;
-        hand_B_ = pressed_W.inverse() * hand_W;
+        for (std::size_t i = 0; i < tracks_.size(); ++i) {
+            tracks_[i].tells_hand = pushes_[i].touches;
+            if (pushes_[i].touches) {
+                tracks_[i].hand_B = round.solid_poses_W[i].inverse() * hand_W;
+            }
+        }
     }
     hand_W_ = hand_W;
 }

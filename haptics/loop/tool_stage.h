@@ -97,12 +97,16 @@ class ToolStage {
         double told_s = 0.0;      // when it was last told to be elsewhere
         double interval_s = 0.0;  // between the last two such times
         bool is_known = false;
+        Pose hand_B{};  // the hand as seen from it in the round before, where that is told
+        bool tells_hand = false;
     };
     void follow_solids(const ToolRound& round) noexcept;
     void follow_hand(const ToolRound& round) noexcept;
     void tell_pushes(const Wrench& felt_W) noexcept;
     void add_up(const ToolEffort& step) noexcept;
     void count(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept;
+    void forget_hand() noexcept;
+    [[nodiscard]] WrenchLoan::Way find_way_against(const ToolRound& round) const noexcept;
     void add_lent(const WrenchLoan::Counted& lent, ToolForce& force) const noexcept;
 
     std::unique_ptr<ToolSolver> tool_;
@@ -114,9 +118,7 @@ class ToolStage {
     std::vector<SolidPush> pushes_;
     WrenchLoan relief_loan_{};
     WrenchLoan even_loan_;
-    Pose hand_W_{};                  // in the round before
-    Pose hand_B_{};                  // likewise, as seen from what lent
-    std::int32_t lender_ = kNoBody;  // what was pressed hardest then
+    Pose hand_W_{};  // in the round before
     bool is_engaged_ = false;
     ToolEffort effort_{};
     std::unique_ptr<ContactLateness> lateness_;

@@ -21,10 +21,11 @@
 //  - The spring of stiffness k holds  k |proxy - goal|^2 / 2,  of which a turn that pushes out makes more: work of a torque that the
 //    hand does not feel, for a cursor gives none. So that is lent (surface/energy_loan.h), up to what one turn upright holds:
 //    k ((s + h)^2 - s^2) / 2,  s: the stretch, h: from the cursor's least to its farthest reach. Turned back it is paid back.
-//  - Where there is no such place, or more would be lent, it turns by half of that or a quarter, or keeps its turn, and tries again in the
-//    next round: so a stick that was turned across a corridor too narrow for it stays as it was until there is room.
+//  - Where there is no such place, or more would be lent, it keeps its turn, and tries half of it in the next round, and then a quarter:
+//    so a stick that was turned across a corridor too narrow for it stays as it was until there is room.
 //
-// Thread: haptic loop. Cost: bounded casts a step, a quarter as many again where the cursor turns; no allocation, noexcept.
+// Thread: haptic loop. Cost: bounded casts a step. A turn asks besides which features are in the way, all that are near: a box of 10 cm that turns by
+// 3 rad/s on a ball of 11 520 facets takes 39 us, 99 % 0.7 ms, where it takes 4 and 18 us as it is; a cylinder ten times that. No allocation, noexcept.
 // Source: the turn is ours; D. C. Ruspini, K. Kolarov, O. Khatib 1997, The haptic display of complex graphical environments, SIGGRAPH.
 #pragma once
 
@@ -81,7 +82,7 @@ class VirtualProxy final : public SurfaceObject {
     };
 
     static constexpr int kMostCasts = 64;      ///< in a step; a smooth surface takes about 3
-    static constexpr int kMostTurnCasts = 16;  ///< and in a turn before it, all tries together
+    static constexpr int kMostTurnCasts = 16;  ///< and in a turn before it
 
     // Turning (virtual_proxy_turn.cpp).
     [[nodiscard]] bool try_turn(const Quaternion& turn_W, double angle_rad) noexcept;
@@ -121,7 +122,8 @@ class VirtualProxy final : public SurfaceObject {
     double reach_m_ = 0.0;  // how far the goal came in this step: about as far as the proxy will go
     CursorTurning turning_;
     Quaternion turn_W_{Quaternion::Identity()};
-    bool is_fresh_ = true;  // not turned since the last reset
+    double turn_share_ = 1.0;  // of a turn, after rounds in which there was no room for it
+    bool is_fresh_ = true;     // not turned since the last reset
     LoanAccount loan_{};
     Planes planes_;
     int n_casts_ = 0;

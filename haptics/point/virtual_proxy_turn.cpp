@@ -9,8 +9,8 @@ namespace fulcrum {
 
 namespace {
 
-// A turn, half of it, a quarter.
-constexpr int kMostTurnTries = 3;
+// What it turns by after a round in which it could not: half, then a quarter.
+constexpr double kLeastShare = 0.25;
 // What planes that are right to rounding may push a cursor that hardly turns.
 constexpr double kRounding_rad = 1.0e-8;
 
@@ -41,14 +41,11 @@ void VirtualProxy::follow_turn(const Quaternion& hand_turn_W) noexcept {
         return;
     }
     n_casts_ = 0;
-    double share = std::min(kMostTurn_rad / angle_rad, 1.0);
-    for (int i = 0; i < kMostTurnTries && n_casts_ < kMostTurnCasts; ++i, share *= 0.5) {
-        const Quaternion next_W =
-            share < 1.0 ? compute_exp(share * way) * turn_W_ : hand_turn_W.normalized();
-        if (try_turn(next_W, share * angle_rad)) {
-            return;
-        }
-    }
+    const double share = turn_share_ * std::min(kMostTurn_rad / angle_rad, 1.0);
+    const Quaternion next_W =
+        share < 1.0 ? compute_exp(share * way) * turn_W_ : hand_turn_W.normalized();
+    turn_share_ =
+        try_turn(next_W, share * angle_rad) ? 1.0 : std::max(0.5 * turn_share_, kLeastShare);
 }
 
 // Out of what the turn brings it into, then as near to the goal as it may be now. False when it cannot: then all is as it was.

@@ -151,12 +151,19 @@ void GodObjectTool::tell_even(const Pose& handle_W, ToolFelt& felt) const noexce
             felt.even_J += pushed_N * bumps_m_[static_cast<std::size_t>(press.object)];
         }
     }
-    // As much of it as the coupling's limits leave of the contacts' force.
-    const double held_N = force_.held().force.norm();
-    const double felt_N = felt.spring_W.force.norm();
-    const double share = felt_N < held_N ? felt_N / held_N : 1.0;
-    felt.even_W = about_grip({share * even_W.force, share * even_W.torque}, handle_W);
-    felt.even_J *= share;
+    // As much of it as the coupling's limits, and an answer's age, leave of the contacts' wrench.
+    const ToolCouplingSettings& coupling = settings_.coupling;
+    const Wrench held = force_.held();
+    const auto share_of = [&](const Vector3& whole, double most) {
+        const double size = whole.norm();
+        return age_.share() * (most > 0.0 && size > most ? most / size : 1.0);
+    };
+    const double by_force =
+        share_of(held.force, coupling.shift.stiffness_N_per_m * coupling.clamp_m);
+    const double by_torque =
+        share_of(held.torque, coupling.turn.stiffness_Nm_per_rad * coupling.clamp_rad);
+    felt.even_W = about_grip({by_force * even_W.force, by_torque * even_W.torque}, handle_W);
+    felt.even_J *= by_force;
 }
 
 // Of answers that are late less and less.

@@ -95,6 +95,11 @@ int tell_unknown_asked(LessonRun& run) {
     return unknown;
 }
 
+tl::unexpected<Error> refuse_broken_off() {
+    return fail("the play was broken off, so there are no figures of the whole of it", {},
+                "let it come to its end, or give --seconds");
+}
+
 // Plays the lesson under the virtual clock, each stage timed, and then its loops alone once more for each knob of the plan. The lesson's
 // prints would be in the way of the figures.
 Expected<Analysis> measure_stages(LessonRun& run, const Places& places, const RunRequest& request,
@@ -113,8 +118,7 @@ Expected<Analysis> measure_stages(LessonRun& run, const Places& places, const Ru
         return tl::unexpected(outcome.error());
     }
     if (outcome->interrupted) {
-        return fail("the play was broken off, so there are no figures of the whole of it", {},
-                    "let it come to its end, or give --seconds");
+        return refuse_broken_off();
     }
     if (const std::string trouble = trouble_of(run, *outcome, true); !trouble.empty()) {
         std::fprintf(stderr, "%s\n", trouble.c_str());
@@ -128,6 +132,9 @@ Expected<Analysis> measure_stages(LessonRun& run, const Places& places, const Ru
         tape, run.plan(), place_at_first(run.description()),
         list_knobs(run.description(), run.plan(), tape.hands()),
         [&](const auto& change) { return run.compile_changed(places, request, change); });
+    if (interrupted()) {
+        return refuse_broken_off();
+    }
     return analysis;
 }
 

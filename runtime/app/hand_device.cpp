@@ -53,7 +53,7 @@ bool mouse_is_free(const RunRequest& request) {
 }
 
 // There and back, as it usually takes: the median of what comes within kMeasured_s of the first that does. Commands of no force are asked for
-// it, for an arm echoes nothing else.
+// it, for an arm echoes nothing else; where none comes back it is as long as it may be.
 double measure_way_s(LinkDevice& device, double began_s) {
     std::vector<double> trips_s;
     double until_s = monotonic_now_s() + kGreeting_s;
@@ -70,7 +70,7 @@ double measure_way_s(LinkDevice& device, double began_s) {
     }
     const auto middle = trips_s.begin() + static_cast<std::ptrdiff_t>(trips_s.size() / 2);
     std::ranges::nth_element(trips_s, middle);
-    return trips_s.empty() ? 0.0 : *middle;
+    return trips_s.empty() ? LinkDeviceSettings{}.most_round_trip_s : *middle;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "runtime/app/knob_errors.h"
 
 #include "haptics/math/rotation.h"
+#include "runtime/app/interrupt.h"
 #include "runtime/app/taped_loops.h"
 
 #include <algorithm>
@@ -229,7 +230,7 @@ std::vector<KnobError> measure_knobs(const RunTape& tape, const Plan& plan,
     const References references = build_references(tape, plan, first, knobs, plan_anew, errors);
     auto again = TapedLoops::create(plan, tape.hands(), first);
     std::size_t n_different = again ? 0 : tape.n_rounds();
-    for (std::size_t k = 0; again && k < tape.n_rounds(); ++k) {
+    for (std::size_t k = 0; again && k < tape.n_rounds() && !interrupted(); ++k) {
         (*again)->step(tape);
         n_different += is_same(**again, tape, k) ? 0 : 1;
         for (const auto& [i, reference] : references) {

@@ -84,14 +84,15 @@ double LessonRun::force_limit_N(const RunRequest& request) const {
     return least_N;
 }
 
-// For which walls are made stable: open devices, and those that were where they are repeated.
+// For which walls are made stable: open devices, and those that were where they are repeated, open yet or not.
 WallHolders LessonRun::find_holders(const WallHolders& repeated) const {
-    WallHolders holders;
-    for (std::size_t hand = 0; hand <= more_hands_.size(); ++hand) {
-        const HandDevice& device = hand_at(hand);
-        const bool is_repeated = device.kind() == HandKind::replay && hand < repeated.size();
-        holders.push_back(is_repeated ? repeated[hand]
-                                      : device.wall_holder().value_or(WallHolder{}));
+    const bool repeats_all = hand_->kind() == HandKind::replay;
+    WallHolders holders = repeats_all ? repeated : WallHolders{};
+    holders.resize(std::max(holders.size(), n_hands()));
+    for (std::size_t hand = 0; hand < n_hands(); ++hand) {
+        if (hand_at(hand).kind() != HandKind::replay) {
+            holders[hand] = hand_at(hand).wall_holder().value_or(WallHolder{});
+        }
     }
     return holders;
 }

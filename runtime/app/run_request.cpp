@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <random>
 
@@ -176,7 +177,8 @@ Expected<RunRequest> with_record(RunRequest request) {
             if (const auto text = find_fact(record.header, name)) {
                 auto read = value;
                 if (std::from_chars(text->data(), text->data() + text->size(), read).ec ==
-                    std::errc{}) {
+                        std::errc{} &&
+                    std::isfinite(static_cast<double>(read))) {
                     value = read;
                 }
             }

@@ -35,6 +35,9 @@ double compute_gain_margin(const CouplingSettings& wall, const HumanImpedance& h
             wall.stiffness_N_per_m * std::polar(1.0, -w * delay_s) +
             Complex(0.0, w * wall.damping_Ns_per_m) * std::polar(1.0, -w * (delay_s + velocity_s));
         const Complex now = force / Complex(hand.stiffness_N_per_m - mass_kg * w * w, w * damping);
+        if (!std::isfinite(now.real()) || !std::isfinite(now.imag())) {
+            return 0.0;  // a device that is no numbers holds nothing
+        }
         if (i > 0 && (now.imag() < 0.0) != (before.imag() < 0.0)) {
             const double share = before.imag() / (before.imag() - now.imag());
             farthest = std::max(farthest, -std::lerp(before.real(), now.real(), share));

@@ -90,4 +90,5 @@ start_arm far_arm --arm desktop --delay 8 --key "$home/config/fulcrum/arm.key"
 expect "$home/far.log" 'rock is felt .* over a link of [12][0-9] ms there and back' "the way to the second arm was not planned for"
 "$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --hand "replay:$home/far.rec" >"$home/far_replay.log" 2>&1 ||
     fail "two arms with a way each were not replayed to the bit: $(tail -n 2 "$home/far_replay.log")"
+[[ $(grep 'rock is felt' "$home/far.log") == "$(grep 'rock is felt' "$home/far_replay.log")" ]] || fail "what was touched was not as soft in the replay"
 echo "hand_fit.sh: passed"

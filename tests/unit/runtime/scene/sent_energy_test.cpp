@@ -95,6 +95,50 @@ TEST_CASE("sent energy: a tool that goes round on a shaded facet is given what i
 }
 
 TEST_CASE(
+    "sent energy: a tool between two shaded balls is given what is lent, whichever presses more") {
+    constexpr double kRadius_m = 0.1;
+    constexpr double kBall_m = 0.01;
+    constexpr double kBeside_m = 0.06;
+    constexpr double kShakes_m = 1.0e-5;  // so that another presses most in each round
+    const double ring_m =
+        std::sqrt((kRadius_m + kBall_m) * (kRadius_m + kBall_m) - kBeside_m * kBeside_m);
+    const auto coarse = touchable(make_sphere(kRadius_m, 2));
+    runtime::LessonDescription lesson = test::make_touch_lesson(make_undamped(), true);
+    lesson.bodies[0].position_W = Vector3(kBeside_m, 0.0, 0.0);
+    lesson.bodies.push_back(lesson.bodies[0]);
+    lesson.bodies[1].name = lesson.bodies[1].noun = "other";
+    lesson.bodies[1].position_W = Vector3(-kBeside_m, 0.0, 0.0);
+    lesson.hand.tool.emplace();
+    lesson.hand.tool->shape = SphereShape{kBall_m};
+    lesson.hand.tool->method = ToolMethod::god_object;
+    lesson.hand.tool->stiffness_N_per_m = 200.0;
+    const auto give = [&](double from_rad, double swing_m, double lent_share) {
+        long n = 0;
+        const Path path = [&, from_rad, swing_m](double share) {
+            const double turn = 2.0 * std::numbers::pi * share;
+            const double angle = from_rad + 0.15 * (1.0 - std::cos(turn));
+            const double out_m = ring_m - 0.015 - swing_m * std::sin(turn);
+            return Pose::at({++n % 2 == 0 ? -kShakes_m : kShakes_m, out_m * std::cos(angle),
+                             out_m * std::sin(angle)});
+        };
+        SentForce loop(lesson, coarse,
+                       [&](HapticPlan& plan) { plan.shading_loan.share = lent_share; });
+        come_from_above(loop, path);
+        return go_round(loop, path, 0.25);
+    };
+    for (const auto& [from_rad, swing_m] : {std::pair(0.0, -0.007), std::pair(0.81, 0.007)}) {
+        const Given given = give(from_rad, swing_m, 1.0);
+        // Of two balls what is lent is about twice that of one.
+        const double forgiven_J =
+            (kLeak_W + 2.0 * kFade_W) * given.took_s + kUnfelt_N * given.way_m;
+        INFO("from " << from_rad << ": " << given.first_J << " J, then " << given.last_J);
+        CHECK(given.last_J < forgiven_J);
+        // Were all of it the scene's own it would be given for ever.
+        CHECK(give(from_rad, swing_m, 100.0).last_J > 1.5 * forgiven_J);
+    }
+}
+
+TEST_CASE(
     "sent energy: who lifts off at a facet's corner and presses its middle again is given no "
     "more") {
     constexpr double kRadius_m = 0.1;
