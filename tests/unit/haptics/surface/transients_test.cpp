@@ -49,6 +49,22 @@ std::vector<double> play(const TransientSettings& settings, const HandleModel& h
 
 }  // namespace
 
+TEST_CASE("stroke filter: what a round can follow passes, and what it cannot is removed") {
+    for (int m = 1; m <= kMostPerRound; ++m) {
+        for (double nu = 0.0; nu <= m - kStrokeStop; nu += 0.001) {
+            const double left = response(m, nu);
+            if (nu <= kStrokePass) {
+                CHECK(std::abs(left - 1.0) <= kStrokeRipple);
+            } else if (nu >= kStrokeStop) {
+                CHECK(std::abs(left) <= kStrokeRemoved);
+            } else {
+                CHECK(left > -kStrokeRemoved);
+                CHECK(left < 1.0 + kStrokeRipple);
+            }
+        }
+    }
+}
+
 TEST_CASE("stroke filter: even weights that add up to one, as many samples as the content needs") {
     for (int m = 1; m <= kMostPerRound; ++m) {
         const auto weights = stroke_weights(m);
