@@ -88,9 +88,9 @@ double LessonRun::force_limit_N(const RunRequest& request) const {
 WallHolders LessonRun::find_holders(const WallHolders& repeated) const {
     const bool repeats_all = hand_->kind() == HandKind::replay;
     WallHolders holders = repeats_all ? repeated : WallHolders{};
-    holders.resize(std::max(holders.size(), n_hands()));
     for (std::size_t hand = 0; hand < n_hands(); ++hand) {
         if (hand_at(hand).kind() != HandKind::replay) {
+            holders.resize(std::max(holders.size(), hand + 1));
             holders[hand] = hand_at(hand).wall_holder().value_or(WallHolder{});
         }
     }

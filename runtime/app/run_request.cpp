@@ -162,6 +162,42 @@ Expected<std::vector<std::string>> settle_hands(const LessonDescription& lesson,
         });
 }
 
+namespace {
+
+// As it was written; a fact that is missing or no number leaves it.
+template <class Number>
+void read_number(const RecordHeader& header, const std::string& name, Number& value) {
+    const auto text = find_fact(header, name);
+    Number read = value;
+    if (text &&
+        std::from_chars(text->data(), text->data() + text->size(), read).ec == std::errc{} &&
+        std::isfinite(static_cast<double>(read))) {
+        value = read;
+    }
+}
+
+// Those that the record's walls were made for: of the first hand, and of others where it tells theirs.
+WallHolders read_holders(const RecordHeader& header) {
+    WallHolders holders;
+    for (std::size_t i = 0; i <= header.more_hands.size(); ++i) {
+        const std::string prefix = i > 0 ? fact_prefix(i) : std::string();
+        WallHolder holder;
+        const auto name = find_fact(header, prefix + kHolderFact);
+        if (!name && i > 0) {
+            break;
+        }
+        holder.name = name.value_or(holder.name);
+        read_number(header, prefix + kHolderMassFact, holder.mass_kg);
+        read_number(header, prefix + kHolderDampingFact, holder.damping_Ns_per_m);
+        read_number(header, prefix + kHolderForceFact, holder.max_force_N);
+        read_number(header, prefix + kHolderLinkFact, holder.link_s);
+        holders.push_back(std::move(holder));
+    }
+    return holders;
+}
+
+}  // namespace
+
 Expected<RunRequest> with_record(RunRequest request) {
     if (request.hand != HandKind::replay) {
         return request;
@@ -173,37 +209,18 @@ Expected<RunRequest> with_record(RunRequest request) {
             request.hand_file.string(), "record the run again");
     }
     return std::move(loaded).map([&](Record&& record) {
-        const auto number = [&](const std::string& name, auto& value) {
-            if (const auto text = find_fact(record.header, name)) {
-                auto read = value;
-                if (std::from_chars(text->data(), text->data() + text->size(), read).ec ==
-                        std::errc{} &&
-                    std::isfinite(static_cast<double>(read))) {
-                    value = read;
-                }
-            }
-        };
         if (!request.seed_is_given) {
-            number("option.seed", request.seed);
+            read_number(record.header, "option.seed", request.seed);
         }
-        number("option.day", request.plan.day);
+        read_number(record.header, "option.day", request.plan.day);
         double scale = 1.0;
-        number(kScaleFact, scale);
+        read_number(record.header, kScaleFact, scale);
         request.fit.scale = request.fit.scale.value_or(scale);
         if (const auto text = find_fact(record.header, kFeedbackFact)) {
             request.kept_feedback =
                 dialogue::read_ladder_text(*text).value_or(dialogue::FeedbackLadder{});
         }
-        request.plan.holders.resize(1 + record.more_hands.size());
-        for (std::size_t i = 0; i < request.plan.holders.size(); ++i) {
-            WallHolder& holder = request.plan.holders[i];
-            const std::string prefix = i > 0 ? fact_prefix(i) : std::string();
-            holder.name = find_fact(record.header, prefix + kHolderFact).value_or(holder.name);
-            number(prefix + kHolderMassFact, holder.mass_kg);
-            number(prefix + kHolderDampingFact, holder.damping_Ns_per_m);
-            number(prefix + kHolderForceFact, holder.max_force_N);
-            number(prefix + kHolderLinkFact, holder.link_s);
-        }
+        request.plan.holders = read_holders(record.header);
         // Who is not told otherwise repeats all hands.
         for (std::size_t i = request.more_hands.size(); i < record.more_hands.size(); ++i) {
             HandChoice repeated;
