@@ -107,6 +107,16 @@ Expected<ToolOrder> make_order(const LessonDescription& lesson, const TriangleMe
     return order;
 }
 
+// To the device that is held and to the time that a step has.
+void fit_order(const LessonDescription& lesson, const PlanOptions& options, ToolOrder& order,
+               Plan& plan) {
+    const double kept = fit_tool_spring(lesson, options.holders, plan);
+    order.settings.coupling.shift.stiffness_N_per_m *= kept;
+    order.settings.coupling.turn.stiffness_Nm_per_rad *= kept;
+    order.most_force_N = plan.haptic.safety.max_force_N;
+    order.settings.budget_us = options.live ? find_budget_us(lesson.hand) : 0.0;
+}
+
 // The tool's share of what is told, and that of its bodies.
 struct SharedProgress {
     const PlanProgress& progress;
@@ -315,11 +325,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!order) {
         return refuse_tool(order.error(), lesson.hand.line);
     }
-    const double kept = fit_tool_spring(lesson, options.holders, plan);
-    order->settings.coupling.shift.stiffness_N_per_m *= kept;
-    order->settings.coupling.turn.stiffness_Nm_per_rad *= kept;
-    order->most_force_N = plan.haptic.safety.max_force_N;
-    order->settings.budget_us = options.live ? find_budget_us(lesson.hand) : 0.0;
+    fit_order(lesson, options, *order, plan);
     if (auto good = check_tool_springs(lesson.hand, *order, compute_reach_m(*order->shell));
         !good) {
         return good;
