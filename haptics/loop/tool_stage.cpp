@@ -114,6 +114,9 @@ void ToolStage::count(const ToolFelt& felt, const ToolRound& round, ToolForce& f
     const Pose& hand_W = round.hand.pose_W;
     force.elastic_force = {force.spring_W.force, force.spring_W.force};
     force.elastic_torque = {force.spring_W.torque, force.spring_W.torque};
+    if (!has_texture_ && !has_shading_) {
+        return;
+    }
     const WrenchLoan::Way motion_W = find_motion(hand_W_, hand_W);
     if (has_texture_) {
         relief_loan_.allow(felt.bumps_J, round.dt_s);

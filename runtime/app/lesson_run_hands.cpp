@@ -80,8 +80,10 @@ Expected<void> LessonRun::open_more_hands(const Places& places, const RunRequest
             made->channels.rigid = &made->rigid;
         }
         more_hands_.push_back(std::move(made));
-        if (auto refitted = fit_to_force(places, request); !refitted) {
-            return refitted;
+        if (hand_at(hand).wall_holder()) {
+            if (auto refitted = fit_to_force(places, request); !refitted) {
+                return refitted;
+            }
         }
         const DeviceTraits& traits = hand_at(hand).device().traits();
         if (const double factor = choose_scale(fitted.fit, traits); factor != 1.0) {

@@ -103,7 +103,7 @@ void add_options(const FactSources& run, Facts& facts) {
     facts.add("option.device N", run.device_force_limit_N);
     for (std::size_t i = 0; i < run.plan.holders.size(); ++i) {
         const WallHolder& holder = run.plan.holders[i];
-        const std::string prefix = i > 0 ? fact_prefix(i) : std::string();
+        const std::string prefix = holder_prefix(i);
         facts.add(prefix + kHolderFact, holder.name);
         facts.add(prefix + kHolderMassFact, holder.mass_kg);
         facts.add(prefix + kHolderDampingFact, holder.damping_Ns_per_m);

@@ -180,7 +180,7 @@ void read_number(const RecordHeader& header, const std::string& name, Number& va
 WallHolders read_holders(const RecordHeader& header) {
     WallHolders holders;
     for (std::size_t i = 0; i <= header.more_hands.size(); ++i) {
-        const std::string prefix = i > 0 ? fact_prefix(i) : std::string();
+        const std::string prefix = holder_prefix(i);
         WallHolder holder;
         const auto name = find_fact(header, prefix + kHolderFact);
         if (!name && i > 0) {
@@ -197,6 +197,10 @@ WallHolders read_holders(const RecordHeader& header) {
 }
 
 }  // namespace
+
+std::string holder_prefix(std::size_t hand) {
+    return hand > 0 ? fact_prefix(hand) : std::string();
+}
 
 Expected<RunRequest> with_record(RunRequest request) {
     if (request.hand != HandKind::replay) {

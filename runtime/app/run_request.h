@@ -61,6 +61,8 @@ inline constexpr const char* kHolderMassFact = "option.walls kg";
 inline constexpr const char* kHolderDampingFact = "option.walls Ns/m";
 inline constexpr const char* kHolderForceFact = "option.walls N";
 inline constexpr const char* kHolderLinkFact = "option.walls link s";
+/// What stands before such a fact of a hand's device, counted from 0; of the first one nothing does.
+[[nodiscard]] std::string holder_prefix(std::size_t hand);
 /// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day, the hand's scale,
 /// the ladder of feedback, and for which device walls were made stable.
 /// Other requests stay as they are.

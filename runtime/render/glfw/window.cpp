@@ -48,6 +48,10 @@ bool names_display(const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
+bool names_any_display() {
+    return names_display("DISPLAY") || names_display("WAYLAND_DISPLAY");
+}
+
 /// What GLFW said last, as a clause; GLFW itself prints nothing.
 std::string last_complaint() {
     const char* text = nullptr;
@@ -217,12 +221,6 @@ struct Window::Parts {
         glfwTerminate();
     }
 };
-
-namespace {
-bool names_any_display() {
-    return names_display("DISPLAY") || names_display("WAYLAND_DISPLAY");
-}
-}  // namespace
 
 bool display_available() {
     if (!names_any_display()) {
