@@ -21,6 +21,9 @@
 #include <fstream>
 #include <functional>
 #include <malloc.h>
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/allocator_interface.h>
+#endif
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -38,7 +41,15 @@ constexpr double kRounds_Hz = 1000.0;
 constexpr double kRealTime_s = 2.0;             // of each lesson
 constexpr std::uint64_t kMostMoreSeeds = 1000;  // looked through for what has not occurred
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kKeepsFreed = true;  // AddressSanitizer holds back what was freed, to see a use of it
+#else
+constexpr bool kKeepsFreed = false;
+#endif
+
+// Without the pages of what was freed, which allocators keep.
 double resident_MB() {
+    (void)::malloc_trim(0);
     std::ifstream file("/proc/self/statm");
     double pages = 0.0;
     double resident = 0.0;
@@ -46,10 +57,14 @@ double resident_MB() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) * 1.0e-6;
 }
 
-// What is asked for and not given back; beside it the resident memory also has what the allocator keeps in pieces.
+// What is asked for and not given back.
 double in_use_MB() {
+#if defined(__SANITIZE_ADDRESS__)
+    return 1.0e-6 * static_cast<double>(::__sanitizer_get_current_allocated_bytes());
+#else
     const struct mallinfo2 heap = ::mallinfo2();
     return 1.0e-6 * static_cast<double>(heap.uordblks + heap.hblkhd);
+#endif
 }
 
 // Of this program and of those that it started and that have ended.
@@ -364,7 +379,7 @@ int soak_command(const Installation& installation, const Options& options) {
         }
     }
     const SoakGrowth growth{std::max(in_use_MB() - settled_in_use_MB, 0.0),
-                            std::max(resident_MB() - settled_MB, 0.0)};
+                            kKeepsFreed ? 0.0 : std::max(resident_MB() - settled_MB, 0.0)};
     std::fputs(describe_soak(sum, growth).c_str(), stdout);
     const auto told =
         tell_all_lateness(installation, is_soak ? lessons : std::vector<std::string>{},

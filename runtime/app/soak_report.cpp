@@ -10,7 +10,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr double kMostGrowth_MB = 64.0;  // allocators keep what was freed
+constexpr double kMostGrowth_MB = 16.0;  // pages that pieces in use are strewn over
 constexpr double kRound_s = 0.001;
 constexpr double kMostLacking = 0.02;             // of a lesson's rounds
 constexpr double kLeastFelt = 0.4;                // of the time in which a lesson can give a force
