@@ -4,7 +4,7 @@
 // Thread: pure.  Cost: one pass over the words.
 #pragma once
 
-#include "dialogue/checking/checker.h"
+#include "dialogue/checking/checked_text.h"
 #include "dialogue/checking/reading.h"
 
 #include <string_view>

@@ -3,6 +3,8 @@
 #include "dialogue/conversation/help.h"
 #include "dialogue/conversation/recast.h"
 #include "dialogue/english/letters.h"
+#include "dialogue/marking/answer_hints.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>

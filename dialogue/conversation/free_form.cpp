@@ -3,6 +3,7 @@
 #include "dialogue/conversation/recast.h"
 #include "dialogue/english/adjective.h"
 #include "dialogue/english/letters.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>

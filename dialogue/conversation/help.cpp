@@ -1,6 +1,6 @@
 #include "dialogue/conversation/help.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/answer_hints.h"
 #include "dialogue/template/phrases.h"
 #include "dialogue/template/sentences.h"
 

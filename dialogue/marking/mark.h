@@ -1,7 +1,7 @@
 // What an answer meant, and how it was formed: two things that are kept apart. Whether the meaning is right is not known
 // here; the simulation decides.
 //
-// Thread: pure.  Cost: one match (template/matcher.h).
+// Thread: pure.
 // Source: the codes are ERRANT's (english/error_code.h). One part is emphasised, for a recast works when the learner can
 //   see what was changed: Lyster and Ranta 1997, "Corrective feedback and learner uptake", Studies in Second Language
 //   Acquisition 19(1).
@@ -9,7 +9,6 @@
 
 #include "dialogue/english/adjective.h"
 #include "dialogue/english/error_code.h"
-#include "dialogue/marking/question.h"
 #include "dialogue/template/graph.h"
 
 #include <cstddef>
@@ -83,25 +82,7 @@ struct Mark {
     [[nodiscard]] std::string_view slot(std::string_view name) const;
 };
 
-/// Marks `text` as an answer to `question`.
-[[nodiscard]] Mark mark_answer(const Question& question, std::string_view text,
-                               double confidence = 1.0);
-
-/// The same as one sentence, whatever stops are in it.
-[[nodiscard]] Mark mark_sentence(const Question& question, std::string_view text,
-                                 double confidence = 1.0);
-
-/// The same for somebody of whom only the meaning was heard: no errors of form, and no proof of a right form.
+/// A mark for somebody of whom only the meaning was heard: no errors of form, and no proof of a right form.
 [[nodiscard]] Mark without_form(Mark mark);
-
-/// The whole right sentence of the question's first answer with every slot as "…": "… is the heaviest."; empty when it is
-/// nothing but slots.
-[[nodiscard]] std::string sentence_frame(const Question& question);
-
-/// The first answer with the first word of each list: "A watermelon is the heaviest."
-[[nodiscard]] std::string example_sentence(const Question& question);
-
-/// What may be said for the slots, each once, with its article: "a watermelon", "an apple".
-[[nodiscard]] std::vector<std::string> choices(const Question& question);
 
 }  // namespace fulcrum::dialogue

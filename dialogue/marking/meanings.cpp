@@ -1,6 +1,6 @@
 #include "dialogue/marking/meanings.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/sentences.h"
 
 #include <algorithm>

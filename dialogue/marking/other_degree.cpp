@@ -1,7 +1,6 @@
 #include "dialogue/marking/other_degree.h"
 
 #include "dialogue/english/letters.h"
-#include "dialogue/marking/readings.h"
 #include "dialogue/template/resolve_articles.h"
 #include "dialogue/template/tokens.h"
 

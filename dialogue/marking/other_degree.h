@@ -6,7 +6,7 @@
 
 #include "dialogue/marking/mark.h"
 #include "dialogue/marking/question.h"
-#include "dialogue/template/matcher.h"
+#include "dialogue/template/parse.h"
 
 #include <vector>
 

@@ -43,4 +43,8 @@ struct Question {
 /// Compiles a question; an error names the question, the answer or rule, and its column.
 [[nodiscard]] Expected<Question> compile_question(const QuestionSource& source);
 
+/// The two of the list between which the question asks, "the apple or the egg"; none where it asks for other things as well.
+[[nodiscard]] std::vector<std::string> asked_between(const Question& question,
+                                                     const WordList& list);
+
 }  // namespace fulcrum::dialogue

@@ -1,36 +1,11 @@
 #include "dialogue/marking/readings.h"
 
-#include "dialogue/english/letters.h"
 #include "dialogue/marking/other_degree.h"
-#include "dialogue/template/tokens.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace fulcrum::dialogue {
 namespace {
-
-/// "The top or at the bottom": nothing but little words stands between the two.
-bool joined_by_or(const std::string& prompt, const std::string& one, const std::string& other) {
-    constexpr std::array<std::string_view, 9> kLittle = {"a",  "an", "the",  "at",  "in",
-                                                         "on", "to", "near", "from"};
-    const std::string first = words_between_blanks(one) + "or ";
-    const std::size_t at = prompt.find(first);
-    if (at == std::string::npos) {
-        return false;
-    }
-    std::string_view rest = std::string_view(prompt).substr(at + first.size());
-    const std::string wanted = words_between_blanks(other).substr(1);
-    while (!rest.starts_with(wanted)) {
-        const std::string_view word = rest.substr(0, rest.find(' '));
-        if (std::ranges::find(kLittle, word) == kLittle.end()) {
-            return false;
-        }
-        rest.remove_prefix(word.size() + 1);
-    }
-    return true;
-}
 
 Slots with_value(Slots slots, const std::string& slot, const std::string& value) {
     const auto found = std::ranges::find(slots, slot, &Slots::value_type::first);
@@ -90,22 +65,6 @@ bool settle_every(Mark& mark, const std::vector<bool>& verdicts) {
 }
 
 }  // namespace
-
-std::vector<std::string> asked_between(const Question& question, const WordList& list) {
-    const std::string prompt = words_between_blanks(question.prompt);
-    std::vector<std::string> named;
-    for (const ListItem& item : list.items) {
-        if (prompt.find(words_between_blanks(item.value)) != std::string::npos) {
-            named.push_back(item.value);
-        }
-    }
-    if (named.size() != 2) {
-        return {};
-    }
-    const bool between =
-        joined_by_or(prompt, named[0], named[1]) || joined_by_or(prompt, named[1], named[0]);
-    return between ? named : std::vector<std::string>{};
-}
 
 void find_readings(const Question& question, const Graph& graph, Mark& mark) {
     mark.claim = graph.claim;

@@ -1,11 +1,12 @@
 // Answers that say something else of their words than that they are right: "the egg is not heavier", "they weigh the same", "on top".
-// So do several sentences, each of which has to be right (sentence_marks.h). What they claim is asked of the lesson in its own terms, a
+// So do several sentences, each of which has to be right (mark_answer.h). What they claim is asked of the lesson in its own terms, a
 // meaning for each word that could be meant, and follows from its verdicts.
 //
 // Thread: pure.  Cost: linear in the words of one list, kMostReadings at most.
 #pragma once
 
 #include "dialogue/marking/mark.h"
+#include "dialogue/marking/question.h"
 
 #include <cstddef>
 #include <string>
@@ -18,10 +19,6 @@ namespace fulcrum::dialogue {
 using Slots = std::vector<std::pair<std::string, std::string>>;
 
 inline constexpr std::size_t kMostReadings = 24;  ///< of one answer; longer lists are numbers
-
-/// The two of the list between which the question asks, "the apple or the egg"; none where it asks for other things as well.
-[[nodiscard]] std::vector<std::string> asked_between(const Question& question,
-                                                     const WordList& list);
 
 /// Fills `mark.claim` and `mark.readings` for what `graph` says. Where the question names two, not the one is the other.
 void find_readings(const Question& question, const Graph& graph, Mark& mark);

@@ -2,6 +2,7 @@
 
 #include "dialogue/english/letters.h"
 #include "dialogue/english/word_table.h"
+#include "dialogue/marking/mark_sentence.h"
 #include "dialogue/marking/other_degree.h"
 #include "dialogue/marking/readings.h"
 #include "dialogue/template/hearing.h"

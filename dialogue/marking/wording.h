@@ -8,7 +8,7 @@
 #pragma once
 
 #include "dialogue/marking/mark.h"
-#include "dialogue/template/matcher.h"
+#include "dialogue/template/parse.h"
 
 namespace fulcrum::dialogue {
 

@@ -96,7 +96,7 @@ enum class Claim : std::uint8_t {
     excluded,  ///< the contrary, which leaves open what is asked: "the egg is not the heaviest"
     of_none,   ///< that no word is right: "they weigh the same"
     of_any,    ///< that some word is right: "on top", of whatever that is
-    every,     ///< of several sentences: each of them, see marking/sentence_marks.h
+    every,     ///< of several sentences: each of them, see marking/mark_answer.h
     reasoned   ///< an answer and the reason given for it, see marking/reasons.h
 };
 

@@ -3,8 +3,8 @@
 // Thread: one.  Cost: linear in what is written; every part writes an arc, so the budget of arcs bounds the steps too.
 #pragma once
 
+#include "dialogue/result.h"
 #include "dialogue/template/arc_writer.h"
-#include "dialogue/template/compile.h"
 #include "dialogue/template/phrases.h"
 #include "dialogue/template/syntax.h"
 

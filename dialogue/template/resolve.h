@@ -5,7 +5,7 @@
 // Thread: pure.  Cost: linear in the pieces.
 #pragma once
 
-#include "dialogue/template/matcher.h"
+#include "dialogue/template/parse.h"
 
 #include <string>
 #include <vector>

@@ -221,6 +221,15 @@ PieceRange phrase_around(const std::vector<Piece>& pieces, int at) {
     return range;
 }
 
+PieceRange phrase_of_slot(const std::vector<Piece>& pieces, int slot) {
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+        if (pieces[static_cast<std::size_t>(i)].element.slot == slot) {
+            return phrase_around(pieces, i);
+        }
+    }
+    return {};
+}
+
 PieceRange passive_around(const std::vector<Piece>& pieces, int at) {
     const auto passive = [&](int i) { return pieces[static_cast<std::size_t>(i)].element.passive; };
     PieceRange range{at, at + 1};

@@ -3,7 +3,7 @@
 // Thread: pure.  Cost: one pass over the arcs for the canonical sentence; linear in its length for a walk.
 #pragma once
 
-#include "dialogue/template/matcher.h"
+#include "dialogue/template/parse.h"
 
 #include <cstddef>
 #include <functional>
@@ -32,6 +32,9 @@ struct PieceRange {
 
 /// The phrase around piece `at`: "the heaviest", "a watermelon", "is".
 [[nodiscard]] PieceRange phrase_around(const std::vector<Piece>& pieces, int at);
+
+/// The phrase around the first piece that fills `slot`; empty where none does.
+[[nodiscard]] PieceRange phrase_of_slot(const std::vector<Piece>& pieces, int slot);
 
 /// All of "is made of" around piece `at`, which is part of it.
 [[nodiscard]] PieceRange passive_around(const std::vector<Piece>& pieces, int at);

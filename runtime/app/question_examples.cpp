@@ -1,6 +1,6 @@
 #include "runtime/app/question_examples.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/marking/readings.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"

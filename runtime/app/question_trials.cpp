@@ -1,7 +1,7 @@
 #include "runtime/app/question_trials.h"
 
 #include "dialogue/conversation/help.h"
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "runtime/lesson/questions.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "runtime/app/simulated_desk.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "runtime/render/camera.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "runtime/lesson/answer_choices.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/sentences.h"
 
 #include <algorithm>

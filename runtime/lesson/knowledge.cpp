@@ -1,6 +1,7 @@
 #include "runtime/lesson/knowledge.h"
 
 #include "dialogue/english/letters.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/sentences.h"
 #include "dialogue/template/tokens.h"
 #include "haptics/surface/materials.h"

@@ -7,6 +7,7 @@
 
 #include "dialogue/catalogue.h"
 #include "dialogue/marking/mark.h"
+#include "dialogue/marking/question.h"
 #include "haptics/base/error.h"
 #include "runtime/scene/description.h"
 

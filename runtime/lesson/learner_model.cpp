@@ -1,6 +1,6 @@
 #include "runtime/lesson/learner_model.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 
 #include <map>
 

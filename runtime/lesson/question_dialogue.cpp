@@ -1,5 +1,7 @@
 #include "runtime/lesson/question_dialogue.h"
 
+#include "dialogue/marking/answer_hints.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/marking/readings.h"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // A template and an utterance, both from anyone: the first half of the input is the template, the second the utterance.
 // Further lines of the first half are rules <r1>, <r2>, ….
 #include "dialogue/catalogue.h"
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/answer_hints.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/matcher.h"
 #include "tests/fuzz/promise.h"
 

@@ -1,6 +1,6 @@
 // What pupils say to the lessons' own questions (learners_english.txt, learners_answers.txt): each is understood for what it means, and
 // its form is marked.
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/marking/question_review.h"
 #include "tests/lessons/lesson_questions.h"
 #include "tests/lessons/program.h"

@@ -1,6 +1,6 @@
 // What understanding an answer costs: compiling a question, marking right and wrong answers, and the same against a plain
 // list of all sentences that the templates make, which is what a graph is to beat.
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/matcher.h"
 #include "tests/bench/harness/curve.h"
 

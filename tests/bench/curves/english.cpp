@@ -2,7 +2,7 @@
 // and on learners' text that a person has (--text FILE). And what checking costs.
 #include "dialogue/checking/link_grammar/link_judge.h"
 #include "dialogue/checking/reading.h"
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "runtime/lesson/free_english.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/lua/process/lesson_process.h"

@@ -1,6 +1,6 @@
 // What is heard of synthetic voices: sentences that fit a question, learners' errors in them, and what fits nothing; and the knob that
 // decides how sure the recogniser has to be, what is kept against what is wrongly let in.
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/speech/sphinx/decoder.h"
 #include "runtime/audio/resample.h"
 #include "runtime/audio/wav.h"

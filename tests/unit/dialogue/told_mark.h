@@ -1,7 +1,7 @@
 // A mark and a parse as texts, for tables.
 #pragma once
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/marking/readings.h"
 #include "dialogue/template/matcher.h"
 #include "dialogue/template/resolve.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dialogue/english/determiner.h"
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/graph.h"
 #include "dialogue/template/tokens.h"
 #include "tests/unit/dialogue/rig.h"

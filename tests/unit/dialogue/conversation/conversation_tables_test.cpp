@@ -1,6 +1,7 @@
 #include "dialogue/conversation/conversation.h"
 #include "dialogue/conversation/help.h"
 #include "dialogue/conversation/recast.h"
+#include "dialogue/marking/mark_answer.h"
 #include "tests/support/english_words.h"
 #include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"

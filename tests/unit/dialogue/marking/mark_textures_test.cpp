@@ -1,6 +1,6 @@
 // Adjectives and the passive as learners say them. The sentences are put together here, apart from the library's own
 // tables, so that what is right and what is wrong is said twice, by two hands.
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "tests/unit/dialogue/questions.h"
 #include "tests/unit/dialogue/told_mark.h"
 

@@ -1,4 +1,5 @@
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
+#include "dialogue/marking/mark_sentence.h"
 #include "dialogue/marking/meanings.h"
 #include "dialogue/marking/readings.h"
 #include "dialogue/marking/said_parts.h"

@@ -1,6 +1,6 @@
 #include "dialogue/template/compile.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/matcher.h"
 #include "tests/unit/dialogue/questions.h"
 #include "tests/unit/dialogue/rig.h"

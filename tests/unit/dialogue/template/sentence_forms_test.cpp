@@ -1,4 +1,4 @@
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/matcher.h"
 #include "dialogue/template/sentence_parts.h"
 #include "dialogue/template/sentences.h"

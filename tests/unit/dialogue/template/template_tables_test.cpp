@@ -1,3 +1,4 @@
+#include "dialogue/marking/mark_answer.h"
 #include "dialogue/template/arc_writer.h"
 #include "dialogue/template/hearing.h"
 #include "dialogue/template/phrases.h"

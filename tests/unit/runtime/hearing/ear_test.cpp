@@ -1,6 +1,6 @@
 #include "runtime/hearing/ear.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "haptics/base/clock.h"
 #include "runtime/audio/recorded_microphone.h"
 #include "runtime/hearing/external_recogniser.h"

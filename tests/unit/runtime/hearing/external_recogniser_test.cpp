@@ -1,6 +1,6 @@
 #include "runtime/hearing/external_recogniser.h"
 
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/files/run_program.h"
 #include "tests/support/scratch_folder.h"

@@ -1,4 +1,4 @@
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "runtime/lesson/answer_choices.h"
 #include "runtime/lesson/past_answers.h"
 #include "runtime/lesson/said_before.h"

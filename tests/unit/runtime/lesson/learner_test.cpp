@@ -1,4 +1,4 @@
-#include "dialogue/marking/mark.h"
+#include "dialogue/marking/mark_answer.h"
 #include "runtime/lesson/learner_feedback.h"
 #include "runtime/lesson/learner_model.h"
 #include "runtime/lesson/learner_throat.h"

@@ -1,3 +1,4 @@
+#include "dialogue/marking/mark_answer.h"
 #include "runtime/lesson/first_use.h"
 #include "runtime/lesson/free_english.h"
 #include "runtime/lesson/knowledge.h"

@@ -1,5 +1,6 @@
 #include "runtime/lesson/questions.h"
 
+#include "dialogue/marking/mark_answer.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
 #include "tests/unit/runtime/rig.h"
 

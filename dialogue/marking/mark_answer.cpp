@@ -1,18 +1,22 @@
-#include "dialogue/marking/sentence_marks.h"
+#include "dialogue/marking/mark_answer.h"
 
 #include "dialogue/english/number.h"
+#include "dialogue/marking/mark_sentence.h"
 #include "dialogue/marking/reasons.h"
 #include "dialogue/marking/said_parts.h"
 #include "dialogue/marking/said_spans.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace fulcrum::dialogue {
 namespace {
+
+constexpr std::size_t kMostSentences_said = 5;  // of one answer
 
 /// The first sentence names another thing than all of it read as one: "The egg. It is not as heavy as the apple."
 bool contradicts(const std::vector<SaidPart>& parts, const Mark& whole) {
@@ -58,8 +62,7 @@ std::optional<Mark> mark_before_list(const Question& question, const Mark& whole
     return mark;
 }
 
-}  // namespace
-
+/// The same answer as `whole`, sentence by sentence, where that is understood better than `whole`; else none.
 std::optional<Mark> mark_sentences(const Question& question, const Mark& whole) {
     for (const bool clauses : {false, true}) {
         const bool wanted =
@@ -83,6 +86,14 @@ std::optional<Mark> mark_sentences(const Question& question, const Mark& whole) 
         }
     }
     return whole.understood ? mark_with_reason(question, whole) : mark_before_list(question, whole);
+}
+
+}  // namespace
+
+Mark mark_answer(const Question& question, std::string_view text, double confidence) {
+    Mark whole = mark_sentence(question, text, confidence);
+    std::optional<Mark> by_sentences = mark_sentences(question, whole);
+    return by_sentences ? std::move(*by_sentences) : std::move(whole);
 }
 
 }  // namespace fulcrum::dialogue
