@@ -1,6 +1,6 @@
 #include "runtime/lesson/past_answers.h"
 
-#include "runtime/lua/wire/wire.h"
+#include "runtime/lua/wire/wire_limits.h"
 
 #include <algorithm>
 #include <iterator>

@@ -4,7 +4,7 @@
 #include "runtime/lua/api/hinge_place.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
-#include "runtime/lua/wire/wire.h"
+#include "runtime/lua/wire/wire_limits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,12 +5,14 @@
 // checks them, remembers the first that does not hold, and from there on reads zeros.
 #pragma once
 
-#include "runtime/lua/wire/wire.h"
+#include "haptics/base/error.h"
+#include "runtime/lua/wire/wire_limits.h"
 #include "runtime/scene/lesson_limits.h"
 
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <string>
 #include <variant>
 

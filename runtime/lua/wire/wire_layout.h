@@ -6,6 +6,7 @@
 #include "runtime/lua/wire/wire_kite.h"
 #include "runtime/lua/wire/wire_questions.h"
 #include "runtime/lua/wire/wire_surface.h"
+#include "runtime/scene/lesson_messages.h"
 
 #include <algorithm>
 #include <set>
