@@ -10,6 +10,7 @@
 #include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/past_answers.h"
 #include "runtime/lesson/questions.h"
+#include "runtime/scene/compile_plan.h"
 #include "runtime/scene/plan_hands.h"
 #include "runtime/text/progress_line.h"
 

@@ -57,7 +57,7 @@ struct HandWish {
     std::string key;  ///< to be pressed once; empty for none
 };
 
-struct Scenery;  // runtime/lesson/compose_view.h
+struct Scenery;  // runtime/lesson/scenery.h
 
 /// A hand beside the first: all that is its own.
 struct MoreHand {

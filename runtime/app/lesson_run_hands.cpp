@@ -2,7 +2,7 @@
 #include "haptics/device/replay/recorded_traits.h"
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/lesson_run.h"
-#include "runtime/lesson/compose_view.h"
+#include "runtime/lesson/scenery.h"
 #include "runtime/scene/plan_hands.h"
 
 #include <charconv>

@@ -4,6 +4,7 @@
 #include "runtime/lesson/show_kite.h"
 #include "runtime/lesson/tool_extent.h"
 #include "runtime/scene/shape_models.h"
+#include "runtime/text/amounts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -291,18 +292,6 @@ void add_more_hands(const LessonDescription& lesson, const Scenery& scenery,
 
 bool has_shaped_cursor(const HandDescription& hand) noexcept {
     return !hand.tool && !std::holds_alternative<std::monostate>(hand.cursor);
-}
-
-std::string number_text(double value, int decimals) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
-std::string newtons_text(double newtons) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", newtons);
-    return text;
 }
 
 View compose_view(const LessonDescription& lesson, const Plan& plan, const SessionHud& hud,

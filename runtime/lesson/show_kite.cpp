@@ -3,6 +3,7 @@
 #include "haptics/dynamics/rigid_body.h"
 #include "haptics/math/length.h"
 #include "runtime/scene/shape_models.h"
+#include "runtime/text/amounts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,11 @@
 // Thread: lesson loop; values. Cost: some microseconds.
 #pragma once
 
-#include "runtime/lesson/compose_view.h"
+#include "dialogue/catalogue.h"
+#include "runtime/lesson/scenery.h"
+#include "runtime/lesson/session.h"
+#include "runtime/scene/description.h"
+#include "runtime/scene/view.h"
 
 namespace fulcrum::runtime {
 

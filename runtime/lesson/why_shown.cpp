@@ -2,7 +2,7 @@
 
 #include "haptics/math/length.h"
 #include "runtime/evidence/record_words.h"
-#include "runtime/lesson/compose_view.h"
+#include "runtime/text/amounts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 #include "runtime/scene/check_tool.h"
 
-#include "runtime/scene/plan_touch.h"
 #include "runtime/scene/round_up.h"
 
 #include <algorithm>

@@ -28,6 +28,11 @@ namespace fulcrum::runtime {
 /// Line of lesson.lua, 0 when unknown.
 using SourceLine = std::int32_t;
 
+/// "lesson.lua:7", where errors say what they are about.
+[[nodiscard]] inline std::string at_line(SourceLine line) {
+    return "lesson.lua:" + std::to_string(line);
+}
+
 inline constexpr std::int32_t kNoMaterial = -1;
 inline constexpr std::size_t kMaxMaterials = 32;
 

@@ -3,6 +3,7 @@
 #include "haptics/collision/collision_mesh.h"
 #include "runtime/scene/body_shape.h"
 #include "runtime/scene/plan_tool.h"
+#include "runtime/text/amounts.h"
 
 #include <algorithm>
 #include <array>
@@ -85,37 +86,6 @@ std::string notices_text(const Plan& plan) {
 }
 
 }  // namespace
-
-std::string bytes_text(std::size_t bytes) {
-    std::array<char, 32> text{};
-    if (bytes < 1000) {
-        std::snprintf(text.data(), text.size(), "%zu B", bytes);
-    } else if (bytes < 1000000) {
-        std::snprintf(text.data(), text.size(), "%.1f kB", static_cast<double>(bytes) / 1e3);
-    } else {
-        std::snprintf(text.data(), text.size(), "%.1f MB", static_cast<double>(bytes) / 1e6);
-    }
-    return text.data();
-}
-
-std::string metres_text(double metres) {
-    constexpr double kLongestInMillimetres = 0.9995;  // what would be rounded to 1000 mm is not
-    const bool in_metres = metres >= kLongestInMillimetres;
-    const double value = in_metres ? metres : 1e3 * metres;
-    constexpr double kMost = 1e9;  // no scene is larger
-    int decimals = 0;
-    for (double digits = 100.0; digits > std::max(value, 1e-4) && decimals < 6; digits *= 0.1) {
-        ++decimals;
-    }
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, std::min(value, kMost));
-    std::string number = text.data();
-    if (decimals > 0) {
-        number.erase(number.find_last_not_of('0') + 1);
-        number.erase(number.find_last_not_of('.') + 1);
-    }
-    return number + (in_metres ? " m" : " mm");
-}
 
 std::string explain(const LessonDescription& lesson, const Plan& plan) {
     std::string text = lesson.title + " (" + lesson.id + ")\n\n";

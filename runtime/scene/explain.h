@@ -20,10 +20,4 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::string explain_json(const LessonDescription& lesson, const Plan& plan,
                                        const Analysis* analysis);
 
-/// A length as people read it: "0.05 mm", "12.5 mm", "120 mm", "1.5 m"; three digits.
-[[nodiscard]] std::string metres_text(double metres);
-
-/// Bytes as people read them: "96 B", "1.5 kB", "2.0 MB".
-[[nodiscard]] std::string bytes_text(std::size_t bytes);
-
 }  // namespace fulcrum::runtime

@@ -5,6 +5,7 @@
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_tool.h"
 #include "runtime/scene/tool_bodies.h"
+#include "runtime/text/amounts.h"
 #include "runtime/text/json.h"
 
 #include <array>

@@ -4,6 +4,7 @@
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_hands.h"
+#include "runtime/text/amounts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-// The plan: what a scene calls for, and nothing else. Compiled once from a lesson's description
+// The plan: what a scene calls for, and nothing else. Compiled once from a lesson's description (compile_plan.h)
 // before anything runs; the runners build exactly the loops and stages that stand in it.
 //
-// Thread: load path. Cost: linear in the number of bodies and forces.
+// Thread: load path.
 #pragma once
 
 #include "haptics/base/error.h"
@@ -148,24 +148,5 @@ using SolidLoader =
 /// Gives the relief of a material's picture, `width_m` wide on the surface; called for materials with a picture.
 using PictureLoader =
     std::function<Expected<FeltPicture>(const MaterialDescription&, double width_m)>;
-
-/// Compiles `lesson` for this machine. Refuses with one sentence a scene that cannot be rendered
-/// safely or truthfully: two bodies of one name, felt weights whose order contradicts the true one,
-/// too many bodies, solids or forces, a material with anything out of its range.
-[[nodiscard]] Expected<Plan> compile_plan(const LessonDescription& lesson,
-                                          const PlanOptions& options, const SolidLoader& load_solid,
-                                          const PictureLoader& load_picture = {});
-
-/// Felt weights in newtons: true weight times exaggeration, all times one factor so that the
-/// `holds` heaviest together stay within kWeightShareOfLimit of the limit, the site's or the
-/// device's, whichever is smaller. Order and ratios are
-/// kept; nothing is clipped.
-struct FeltWeights {
-    std::vector<double> newtons;
-    double scale = 1.0;
-};
-[[nodiscard]] FeltWeights fit_felt_weights(const std::vector<BodyDescription>& bodies,
-                                           double gravity_m_per_s2, int holds,
-                                           double force_limit_N);
 
 }  // namespace fulcrum::runtime

@@ -29,14 +29,6 @@ LessonDescription as_seen_by(const LessonDescription& lesson, std::size_t hand) 
     return seen;
 }
 
-double find_largest_scale(const LessonDescription& lesson) {
-    double scale = lesson.hand.scale;
-    for (const HandDescription& hand : lesson.more_hands) {
-        scale = std::max(scale, hand.scale);
-    }
-    return scale;
-}
-
 std::string name_of_loop(std::size_t hand) {
     return hand == 0 ? "haptic" : "hand " + std::to_string(hand + 1);
 }

@@ -1,4 +1,4 @@
-// The hands beside the first: each has a haptic loop of its own among the same bodies. For plan.cpp.
+// The hands beside the first: each has a haptic loop of its own among the same bodies. For compile_plan.cpp.
 //
 //   same for all   bodies, materials, declared forces, rigid bodies and how they are pushed, rate, limits
 //   its own        centre, scale, cursor and proxy, and so the springs of what it touches
@@ -14,9 +14,6 @@
 #include <vector>
 
 namespace fulcrum::runtime {
-
-/// Of any hand of the lesson: where forces are stiffest in it.
-[[nodiscard]] double find_largest_scale(const LessonDescription& lesson);
 
 /// Refuses what goes with one hand alone, whoever is there.
 [[nodiscard]] Expected<void> check_more_hands(const LessonDescription& lesson);

@@ -2,7 +2,6 @@
 
 #include "haptics/field/field_plan.h"
 #include "haptics/flight/kite_loop.h"
-#include "runtime/scene/plan_touch.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/dynamics/shape_inertia.h"
 #include "runtime/scene/body_shape.h"
-#include "runtime/scene/plan_touch.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>

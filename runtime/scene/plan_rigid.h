@@ -1,4 +1,4 @@
-// The part of the plan that is a world of rigid bodies. For plan.cpp.
+// The part of the plan that is a world of rigid bodies. For compile_plan.cpp.
 //
 // Thread: load path.
 #pragma once

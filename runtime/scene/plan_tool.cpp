@@ -8,8 +8,6 @@
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/body_shape.h"
 #include "runtime/scene/check_tool.h"
-#include "runtime/scene/explain.h"
-#include "runtime/scene/plan_touch.h"
 #include "runtime/scene/plan_walls.h"
 #include "runtime/scene/shape_models.h"
 #include "runtime/scene/tool_bodies.h"

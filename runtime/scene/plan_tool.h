@@ -1,4 +1,4 @@
-// The tool in the hand, as the plan needs it: its points and springs, and every solid body as tool_bodies.h makes it. For plan.cpp.
+// The tool in the hand, as the plan needs it: its points and springs, and every solid body as tool_bodies.h makes it. For compile_plan.cpp.
 //
 //   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
 //   points  as many as the lesson says or 2000, on the surface; among voxels a point a voxel of the tool, where that is no more than the lesson

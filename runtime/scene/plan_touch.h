@@ -1,25 +1,13 @@
-// The part of the plan that is touched: materials, solid bodies, and what touches them. For plan.cpp.
+// The part of the plan that is touched: materials, solid bodies, and what touches them. For compile_plan.cpp.
 //
 // Thread: load path.
 #pragma once
 
 #include "runtime/scene/plan.h"
 
-#include <string>
 #include <vector>
 
 namespace fulcrum::runtime {
-
-/// "lesson.lua:7", where errors say what they are about.
-[[nodiscard]] inline std::string at_line(SourceLine line) {
-    return "lesson.lua:" + std::to_string(line);
-}
-
-/// A wall is as stiff in the hand at every scale.
-inline void scale_coupling(CouplingSettings& coupling, double scale) {
-    coupling.stiffness_N_per_m /= scale;
-    coupling.damping_Ns_per_m /= scale;
-}
 
 /// Each material of the lesson ready to be felt, in the hand's metres; pictures are read. Walls are fitted to
 /// the device (plan_walls.h).

@@ -1,8 +1,5 @@
 #include "runtime/scene/plan_walls.h"
 
-#include "runtime/scene/plan_hands.h"
-#include "runtime/scene/plan_touch.h"
-
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -82,6 +79,14 @@ bool soften(const std::string& what, SourceLine line, const WallHolders& holders
 }
 
 }  // namespace
+
+double find_largest_scale(const LessonDescription& lesson) {
+    double scale = lesson.hand.scale;
+    for (const HandDescription& hand : lesson.more_hands) {
+        scale = std::max(scale, hand.scale);
+    }
+    return scale;
+}
 
 CouplingSettings make_usual_coupling(const HapticPlan& plan, const WallHolders& holders,
                                      double scale) {

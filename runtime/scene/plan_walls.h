@@ -1,5 +1,5 @@
 // Walls and springs of a lesson, fitted to the device that renders them (stable_wall.h): what would shake in a hand is softer in the plan, which gets a
-// notice of it, with the line that declared it. For plan.cpp; the plan has its rate and limits already.
+// notice of it, with the line that declared it. For compile_plan.cpp; the plan has its rate and limits already.
 //
 // Thread: load path.
 #pragma once
@@ -8,6 +8,15 @@
 #include "runtime/scene/plan.h"
 
 namespace fulcrum::runtime {
+
+/// A wall is as stiff in the hand at every scale.
+inline void scale_coupling(CouplingSettings& coupling, double scale) {
+    coupling.stiffness_N_per_m /= scale;
+    coupling.damping_Ns_per_m /= scale;
+}
+
+/// Of any hand of the lesson: where forces are stiffest in it.
+[[nodiscard]] double find_largest_scale(const LessonDescription& lesson);
 
 /// What is touched and made of nothing: the usual coupling, or what of it is stable, in a hand of that scale.
 [[nodiscard]] CouplingSettings make_usual_coupling(const HapticPlan& plan,

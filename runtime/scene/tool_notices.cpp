@@ -1,9 +1,8 @@
 #include "runtime/scene/tool_notices.h"
 
 #include "haptics/collision/wall_thickness.h"
-#include "runtime/scene/explain.h"
-#include "runtime/scene/plan_touch.h"
 #include "runtime/scene/round_up.h"
+#include "runtime/text/amounts.h"
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,7 @@
 
 #include "haptics/coupling/tool_coupling.h"
 #include "haptics/coupling/virtual_coupling.h"
-#include "runtime/scene/explain.h"
-#include "runtime/scene/plan_touch.h"
+#include "runtime/text/amounts.h"
 
 #include <array>
 #include <cstdio>

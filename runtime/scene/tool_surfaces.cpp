@@ -1,8 +1,5 @@
 #include "runtime/scene/tool_surfaces.h"
 
-#include "runtime/scene/explain.h"
-#include "runtime/scene/plan_touch.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

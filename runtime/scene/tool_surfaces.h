@@ -6,7 +6,7 @@
 
 #include "haptics/tool/tool_plan.h"
 #include "runtime/scene/plan.h"
-#include "runtime/scene/tool_bodies.h"
+#include "runtime/scene/tool_body_list.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // What plan_tool.h tells of a tool and what it meets.
 #include "haptics/tool/tool_plan.h"
 #include "runtime/scene/check_tool.h"
-#include "runtime/scene/explain.h"
 #include "runtime/scene/plan_tool.h"
+#include "runtime/text/amounts.h"
 
 #include <array>
 #include <cstdio>

@@ -28,14 +28,9 @@ BEGIN {
     still("haptics/record/record_header haptics/record/record_layout haptics/record/record_told")
     still("haptics/record/told_layout haptics/voxel/shape_bytes haptics/voxel/shape_seal")
     still("runtime/app/commands runtime/app/options runtime/app/options_parts runtime/app/quiet_run")
-    still("runtime/lesson/compose_view runtime/lesson/show_kite runtime/lua/process/lesson_process")
-    still("runtime/lua/process/lesson_sources runtime/progress/report runtime/progress/report_cells")
-    still("runtime/render/overlay/panels runtime/render/overlay/why_panel runtime/render/scene/room")
-    still("runtime/render/scene/space runtime/scene/check_tool runtime/scene/explain runtime/scene/plan")
-    still("runtime/scene/plan_hands runtime/scene/plan_kite runtime/scene/plan_rigid")
-    still("runtime/scene/plan_tool runtime/scene/plan_touch runtime/scene/plan_walls")
-    still("runtime/scene/tool_bodies runtime/scene/tool_notices runtime/scene/tool_springs")
-    still("runtime/scene/tool_surfaces")
+    still("runtime/lua/process/lesson_process runtime/lua/process/lesson_sources runtime/progress/report")
+    still("runtime/progress/report_cells runtime/render/overlay/panels runtime/render/overlay/why_panel")
+    still("runtime/render/scene/room runtime/render/scene/space")
 }
 function order(name, rooms,    list, n, i) {
     n = split(rooms, list, " ")

@@ -9,7 +9,7 @@
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
-#include "runtime/scene/plan.h"
+#include "runtime/scene/compile_plan.h"
 #include "tests/support/link.h"
 #include "tests/support/wall_trial.h"
 

@@ -5,7 +5,7 @@
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/loop/workspace.h"
 #include "haptics/surface/material.h"
-#include "runtime/scene/plan.h"
+#include "runtime/scene/compile_plan.h"
 #include "tests/support/scripted_device.h"
 
 #include <functional>

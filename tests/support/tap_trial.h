@@ -5,6 +5,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/workspace.h"
 #include "haptics/surface/materials.h"
+#include "runtime/scene/compile_plan.h"
 #include "tests/support/sent_force.h"
 #include "tests/support/tap_judge.h"
 #include "tests/support/touchable.h"

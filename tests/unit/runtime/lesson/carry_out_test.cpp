@@ -326,8 +326,3 @@ TEST_CASE("hinges: the picture shows both torques as force times lever arm, from
     scenery.axles = &untouched;
     CHECK(compose_view(lesson, plan, {}, scenery, torque_words()).torques.empty());
 }
-
-TEST_CASE("hinges: numbers have the decimals that are asked for") {
-    CHECK(number_text(1.005, 1) == "1.0");
-    CHECK(number_text(-0.256, 2) == "-0.26");
-}

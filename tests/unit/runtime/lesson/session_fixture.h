@@ -3,6 +3,7 @@
 
 #include "dialogue/catalogue.h"
 #include "runtime/lesson/session.h"
+#include "runtime/scene/compile_plan.h"
 #include "tests/unit/runtime/progress/test_store.h"
 #include "tests/unit/runtime/rig.h"
 

@@ -3,6 +3,7 @@
 
 #include "haptics/flight/kite_loop.h"
 #include "runtime/scene/shape_models.h"
+#include "runtime/text/amounts.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
 #include "tests/unit/runtime/rig.h"
 

@@ -68,23 +68,6 @@ TEST_CASE("explain: each material is called what a hand finds it to be, the midd
                       "ice              0.20 soft   0.50 rough    0.50 slippery"});
 }
 
-TEST_CASE("explain: bytes are given in the unit that people read") {
-    CHECK(bytes_text(0) == "0 B");
-    CHECK(bytes_text(999) == "999 B");
-    CHECK(bytes_text(1500) == "1.5 kB");
-    CHECK(bytes_text(61000000) == "61.0 MB");
-}
-
-TEST_CASE("explain: lengths are told as people read them, without exponents") {
-    const std::vector<std::pair<double, std::string>> lengths{
-        {1.0e-5, "0.01 mm"}, {5.0e-5, "0.05 mm"},  {0.0005, "0.5 mm"},  {0.001, "1 mm"},
-        {0.0125, "12.5 mm"}, {0.12, "120 mm"},     {0.0999, "99.9 mm"}, {0.99949, "999 mm"},
-        {0.9996, "1 m"},     {1.234567, "1.23 m"}, {123.456, "123 m"},  {5000.0, "5000 m"}};
-    for (const auto& [metres, text] : lengths) {
-        CHECK(metres_text(metres) == text);
-    }
-}
-
 TEST_CASE("explain costs: a line a timed stage with calls, times, share and memory, then errors") {
     const std::string text = explain_costs(make_plan(), make_analysis());
     check_says(text, {"Played 10.0 s in 0.50 s",

@@ -3,7 +3,7 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/geometry/shape.h"
-#include "runtime/scene/plan.h"
+#include "runtime/scene/compile_plan.h"
 #include "tests/support/touchable.h"
 #include "tests/unit/runtime/rig.h"
 

@@ -1,5 +1,6 @@
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/tool/tool_plan.h"
+#include "runtime/scene/compile_plan.h"
 #include "runtime/scene/plan.h"
 #include "runtime/scene/plan_hands.h"
 #include "runtime/scene/plan_kite.h"

@@ -1,6 +1,7 @@
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/tool_bodies.h"
+#include "runtime/scene/tool_body_list.h"
 #include "runtime/scene/tool_notices.h"
 #include "tests/unit/runtime/scene/plan_scene.h"
 
