@@ -13,6 +13,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "runtime/lua/process/lesson_sources.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/lesson_messages.h"
 
@@ -32,15 +33,6 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::optional<int> lesson_process_socket(int argc, char** argv);
 /// The life of a lesson's process; returns its exit code. Never throws.
 [[nodiscard]] int lesson_process_main(int socket);
-
-/// Which files make a lesson.
-struct LessonFiles {
-    std::filesystem::path folder;       ///< holds lesson.lua, its modules and simulated hands
-    std::filesystem::path library;      ///< scripts/lib; empty for none
-    std::string lesson = "lesson.lua";  ///< the file in `folder`
-    std::filesystem::path hand;         ///< a simulated hand's file, anywhere; empty for none
-    std::filesystem::path second_hand;  ///< likewise of another one
-};
 
 struct LessonProcessOptions {
     std::string executable =

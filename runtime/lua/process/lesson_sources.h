@@ -4,13 +4,23 @@
 #pragma once
 
 #include "haptics/base/error.h"
-#include "runtime/lua/process/lesson_process.h"
 #include "runtime/lua/wire/wire.h"
 
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::runtime {
+
+/// Which files make a lesson.
+struct LessonFiles {
+    std::filesystem::path folder;       ///< holds lesson.lua, its modules and simulated hands
+    std::filesystem::path library;      ///< scripts/lib; empty for none
+    std::string lesson = "lesson.lua";  ///< the file in `folder`
+    std::filesystem::path hand;         ///< a simulated hand's file, anywhere; empty for none
+    std::filesystem::path second_hand;  ///< likewise of another one
+};
 
 /// Reads one file; errors show it as `shown_name`. Refused: what is no plain file, a symbolic link unless `may_be_link`, more
 /// than kMaxSourceBytes, compiled Lua.
