@@ -1,7 +1,7 @@
 #include "runtime/render/overlay/menu.h"
 
 #include "runtime/render/overlay/icons.h"
-#include "runtime/render/overlay/panels.h"
+#include "runtime/render/overlay/paper.h"
 #include "runtime/render/theme.h"
 
 #include <algorithm>

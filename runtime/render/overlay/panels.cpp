@@ -2,6 +2,7 @@
 
 #include "runtime/render/overlay/icons.h"
 #include "runtime/render/overlay/microphone.h"
+#include "runtime/render/overlay/paper.h"
 #include "runtime/render/theme.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ constexpr float kMargin = 20.0F;
 constexpr float kGap = 10.0F;
 constexpr float kPadX = 26.0F;
 constexpr float kPadY = 8.0F;
-constexpr float kRadius = 22.0F;
 constexpr float kIcon = 19.0F;      // radius of an icon in a line of words
 constexpr float kIconRoom = 54.0F;  // from a panel's padding to the words behind an icon
 constexpr float kWidestWords = 1000.0F;
@@ -188,7 +188,8 @@ Point2 icon_place(const Panel& panel, const Measure& m) {
 void draw_banner(const View& view, const Panel& panel, const Measure& m, DrawList& list) {
     const bool error = view.banner_is_error;
     draw_paper(list, panel.box, m, error ? theme::kErrorPaper : theme::kFeedbackPaper);
-    list.frame_box(panel.box, m.px(kRadius), m.px(4.0F), error ? theme::kVermillion : theme::kBlue);
+    list.frame_box(panel.box, m.px(kPaperRadius), m.px(4.0F),
+                   error ? theme::kVermillion : theme::kBlue);
     if (error) {
         draw_warning_icon(list, icon_place(panel, m), m.px(1.15F * kIcon));
     } else {
@@ -229,7 +230,7 @@ void draw_score(const Panel& panel, const Measure& m, DrawList& list) {
 
 void draw_input(const View& view, const Panel& panel, const Measure& m, DrawList& list) {
     draw_paper(list, panel.box, m, theme::kFieldPaper);
-    list.frame_box(panel.box, m.px(kRadius), m.px(4.0F), theme::kBlue);
+    list.frame_box(panel.box, m.px(kPaperRadius), m.px(4.0F), theme::kBlue);
     draw_pencil_icon(list, icon_place(panel, m), m.px(kIcon));
     const bool typed = !view.input.empty();
     draw_words(list, panel, m, kIconRoom, 0.0F, typed ? theme::kInk : theme::kSoftInk);
@@ -332,13 +333,6 @@ PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure,
     return layout;
 }
 
-void draw_paper(DrawList& list, const Box& box, const Measure& measure, const Colour& paper) {
-    Box below = box;
-    below.y += measure.px(3.0F);
-    list.shadow_box(below, measure.px(kRadius), measure.px(16.0F), with_alpha(theme::kInk, 0.22F));
-    list.fill_box(box, measure.px(kRadius), paper);
-}
-
 Box choice_picture(const Panel& panel, const Measure& m) {
     const float side = panel.box.height;
     return {panel.box.x + m.px(kPadX) - 0.5F * (side - m.px(2.0F * kIcon)), panel.box.y, side,
@@ -353,7 +347,7 @@ void draw_choice_papers(const View& view, const PanelLayout& layout, const Measu
         draw_paper(list, box, m, chosen ? theme::kSelectedPaper : theme::kFieldPaper);
         // Not by its colour alone.
         if (chosen) {
-            list.frame_box(box, m.px(kRadius), m.px(4.0F), theme::kBlue);
+            list.frame_box(box, m.px(kPaperRadius), m.px(4.0F), theme::kBlue);
         }
     }
 }

@@ -67,7 +67,4 @@ void draw_choice_papers(const View& view, const PanelLayout& layout, const Measu
 void draw_panels(const View& view, const PanelLayout& layout, const Measure& measure,
                  DrawList& list);
 
-/// A sheet of paper with a soft shadow, on which everything else lies.
-void draw_paper(DrawList& list, const Box& box, const Measure& measure, const Colour& paper);
-
 }  // namespace fulcrum::runtime

@@ -1,6 +1,6 @@
 #include "runtime/render/overlay/why_panel.h"
 
-#include "runtime/render/overlay/panels.h"
+#include "runtime/render/overlay/paper.h"
 #include "runtime/render/theme.h"
 
 #include <algorithm>

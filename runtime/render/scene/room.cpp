@@ -1,7 +1,6 @@
 #include "runtime/render/scene/room.h"
 
 #include "runtime/render/scene/scene_shaders.h"
-#include "runtime/render/scene/space.h"
 #include "runtime/render/theme.h"
 
 #include <algorithm>

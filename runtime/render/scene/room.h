@@ -8,6 +8,7 @@
 #include "runtime/render/gl/handle.h"
 #include "runtime/render/gl/program.h"
 #include "runtime/render/scene/object_pass.h"
+#include "runtime/render/scene/space.h"
 
 #include <vector>
 
@@ -19,20 +20,6 @@ struct FloorMark {
     double radius_m = 0.05;             ///< of the thing
     double height_m = 0.0;              ///< of the thing's lowest point above the floor
     bool dashed = false;                ///< the hand's mark: a dashed ring
-};
-
-/// A circle that something goes along, seen as a thin line: centre + cos u * x + sin u * z.
-struct Orbit {
-    Vector3 centre_W{Vector3::Zero()};
-    Vector3 x_W{Vector3::UnitX()};
-    Vector3 z_W{Vector3::UnitZ()};
-};
-
-/// How large the picture is.
-struct PictureSize {
-    int width_px = 1;
-    int height_px = 1;
-    float scale = 1.0F;  ///< 1 in a picture of 720 lines
 };
 
 /// Wall, floor and marks.

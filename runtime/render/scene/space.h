@@ -8,11 +8,25 @@
 #pragma once
 
 #include "runtime/render/camera.h"
-#include "runtime/render/scene/room.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace fulcrum::runtime {
+
+/// A circle that something goes along, seen as a thin line: centre + cos u * x + sin u * z.
+struct Orbit {
+    Vector3 centre_W{Vector3::Zero()};
+    Vector3 x_W{Vector3::UnitX()};
+    Vector3 z_W{Vector3::UnitZ()};
+};
+
+/// How large the picture is.
+struct PictureSize {
+    int width_px = 1;
+    int height_px = 1;
+    float scale = 1.0F;  ///< 1 in a picture of 720 lines
+};
 
 inline constexpr int kStars = 2500;
 inline constexpr int kOrbitCorners = 160;

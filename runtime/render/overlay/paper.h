@@ -1,0 +1,14 @@
+// The sheet of paper on which the words of panels and cards lie.
+#pragma once
+
+#include "runtime/render/overlay/draw_list.h"
+#include "runtime/render/overlay/measure.h"
+
+namespace fulcrum::runtime {
+
+inline constexpr float kPaperRadius = 22.0F;  // of its corners, at 720
+
+/// With a soft shadow.
+void draw_paper(DrawList& list, const Box& box, const Measure& measure, const Colour& paper);
+
+}  // namespace fulcrum::runtime
