@@ -1,6 +1,6 @@
 #include "runtime/app/bench_command.h"
 
-#include "runtime/app/commands.h"
+#include "runtime/app/installation.h"
 
 #include <filesystem>
 #include <unistd.h>

@@ -10,12 +10,13 @@
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/menu_screen.h"
 #include "runtime/app/open_store.h"
-#include "runtime/app/question_examples.h"
 #include "runtime/app/quiet_run.h"
 #include "runtime/app/run_request.h"
 #include "runtime/app/stage_clock.h"
 #include "runtime/progress/database_path.h"
 #include "runtime/progress/report.h"
+#include "runtime/progress/report_csv.h"
+#include "runtime/progress/report_text.h"
 #include "runtime/progress/sqlite/sqlite_store.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/knobs.h"
@@ -26,7 +27,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace fulcrum::runtime {
 namespace {
@@ -139,47 +139,6 @@ Expected<Analysis> measure_stages(LessonRun& run, const Places& places, const Ru
 }
 
 }  // namespace
-
-int tell_unmet_examples(LessonRun& run, const AnswerTaker& take_answer) {
-    const auto unmet = find_unmet_examples(run, take_answer);
-    if (!unmet) {
-        return complain(unmet.error(), 1);
-    }
-    for (const std::string& sentence : *unmet) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
-    return unmet->empty() ? 0 : 1;
-}
-
-Expected<Installation> open_installation(double started_s) {
-    auto places = find_places();
-    if (!places) {
-        return tl::unexpected(places.error());
-    }
-    const std::filesystem::path words = places->words / "en.txt";
-    std::ifstream file(words);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) {
-        return fail("the program's words cannot be read", words.string(), "restore the file");
-    }
-    auto catalogue = dialogue::Catalogue::parse(text.str());
-    if (!catalogue) {
-        return fail(catalogue.error().message,
-                    words.string() + ":" + std::to_string(catalogue.error().line),
-                    "mend that line");
-    }
-    return Installation{std::move(*places), std::move(*catalogue), started_s};
-}
-
-int complain(const Error& error, int exit_code) {
-    std::fprintf(stderr, "%s\n", to_sentence(error).c_str());
-    return exit_code;
-}
-
-int complain_of_loading(const Error& error) {
-    return interrupted() ? interrupt_exit_code() : complain(error, 1);
-}
 
 int list_command(const Installation& installation) {
     for (const LessonCard& card : read_lesson_cards(installation.places)) {

@@ -2,26 +2,10 @@
 // wrong usage or unreadable input, 3 a replay's forces differ from its record's, 130 when Ctrl-C came before the lesson began.
 #pragma once
 
-#include "dialogue/catalogue.h"
+#include "runtime/app/installation.h"
 #include "runtime/app/options.h"
-#include "runtime/app/places.h"
 
 namespace fulcrum::runtime {
-
-/// What every command may need.
-struct Installation {
-    Places places;
-    dialogue::Catalogue catalogue;
-    double started_s = 0.0;  ///< when the program began, monotonic clock
-};
-
-/// Finds the folders and reads the words.
-[[nodiscard]] Expected<Installation> open_installation(double started_s);
-
-/// Says an error in one sentence on the terminal and gives the exit code.
-int complain(const Error& error, int exit_code);
-/// The same of a lesson that could not be made ready, 1; where Ctrl-C stopped that, nothing is said and the code is the signal's.
-int complain_of_loading(const Error& error);
 
 [[nodiscard]] int menu_command(const Installation& installation, const Options& options);
 [[nodiscard]] int run_command(const Installation& installation, const Options& options);

@@ -3,7 +3,7 @@
 #include "runtime/app/bench_command.h"
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
-#include "runtime/app/options.h"
+#include "runtime/app/parse_options.h"
 #include "runtime/app/program_build.h"
 #include "runtime/app/site_file.h"
 #include "runtime/lua/process/lesson_process.h"

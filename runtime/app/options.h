@@ -1,4 +1,4 @@
-// The command line: what was asked for, or one sentence on what is wrong with it.
+// What the command line can ask for.
 #pragma once
 
 #include "dialogue/marking/feedback_ladder.h"
@@ -10,7 +10,6 @@
 #include "runtime/scene/plan.h"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -104,14 +103,5 @@ struct Options {
     std::optional<int> only_process;  ///< stop: that one alone
     std::uint64_t seeds = 3;          ///< soak: how many runs of each lesson
 };
-
-/// Parses the words after the program's name. Unknown words name the nearest known one.
-[[nodiscard]] Expected<Options> parse_options(std::span<const std::string> words);
-
-/// What `fulcrum help` prints; of one command its part alone, where it has one.
-[[nodiscard]] std::string usage(std::string_view command = {});
-
-/// Smallest number of single-letter edits between two words (Levenshtein 1966), for "did you mean".
-[[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace fulcrum::runtime

@@ -1,4 +1,4 @@
-// What the parts of the command line's parser share; private to it.
+// Numbers of the command line, what fulcrum arm and soak are told, and how the hand's device is set. For parse_options.cpp.
 #pragma once
 
 #include "runtime/app/options.h"

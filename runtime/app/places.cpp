@@ -1,6 +1,6 @@
 #include "runtime/app/places.h"
 
-#include "runtime/app/options.h"
+#include "runtime/app/parse_options.h"
 #include "runtime/files/user_folder.h"
 
 #include <algorithm>

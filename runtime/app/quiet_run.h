@@ -1,9 +1,10 @@
 // A lesson run for its own sake by check, test and explain: no picture, no sound, no progress kept.
 #pragma once
 
-#include "runtime/app/commands.h"
+#include "runtime/app/installation.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/open_store.h"
+#include "runtime/app/options.h"
 #include "runtime/app/question_examples.h"
 #include "runtime/app/run_request.h"
 

@@ -1,6 +1,6 @@
 #include "runtime/app/soak_report.h"
 
-#include "runtime/app/commands.h"
+#include "runtime/app/installation.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/tool_lacks.h"
 

@@ -1,5 +1,5 @@
 // What a teacher wants to know of the learners' progress: who played what, what went well, who is
-// stuck. One struct, computed once; the text and the CSV are written from it, so that they show the
+// stuck. One struct, computed once; the text (report_text.h) and the CSV (report_csv.h) are written from it, so that they show the
 // same numbers.
 //
 //   asked             times the question was put (a new session, or attempt numbers that begin
@@ -104,28 +104,11 @@ struct Report {
     std::vector<LearnerReport> learners;  ///< by nickname
 };
 
-/// How times are shown and files begin.
-struct ReportStyle {
-    bool utc =
-        false;  ///< times in UTC; otherwise in the computer's time zone. Both say their offset
-    bool byte_order_mark =
-        false;  ///< begin the CSV with one: spreadsheets then read Korean names rightly
-};
-
 /// Pure: the same data give the same report. A lesson that nobody has played gives a report without learners, unless one
 /// learner is asked for.
 [[nodiscard]] Report compute_report(const ProgressData& data, const ProgressFilter& filter = {});
 
 /// Reads what the filter matches and computes the report.
 [[nodiscard]] Expected<Report> make_report(ProgressStore& store, const ProgressFilter& filter = {});
-
-/// For a terminal or paper, 80 columns; an empty report is one friendly sentence. Ends with a
-/// newline.
-[[nodiscard]] std::string to_text(const Report& report, const ReportStyle& style = {});
-
-/// RFC 4180: a header, then a row for each learner, lesson and question (fewer cells filled when
-/// there is no lesson or question yet). Cells that a spreadsheet would take for a formula begin
-/// with an apostrophe.
-[[nodiscard]] std::string to_csv(const Report& report, const ReportStyle& style = {});
 
 }  // namespace fulcrum::runtime

@@ -8,6 +8,14 @@
 
 namespace fulcrum::runtime {
 
+/// How times are shown and files begin.
+struct ReportStyle {
+    bool utc =
+        false;  ///< times in UTC; otherwise in the computer's time zone. Both say their offset
+    bool byte_order_mark =
+        false;  ///< begin the CSV with one: spreadsheets then read Korean names rightly
+};
+
 /// "2026-03-02 10:15 +0900", in the computer's time zone or in UTC.
 [[nodiscard]] std::string time_cell(std::int64_t utc_ms, const ReportStyle& style);
 

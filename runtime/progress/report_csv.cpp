@@ -1,7 +1,7 @@
 // A report as CSV. RFC 4180: rows end in CR LF, a cell with a separator, quote or line end stands
 // in quotes, and a quote in it is doubled.
-#include "runtime/progress/report.h"
-#include "runtime/progress/report_cells.h"
+#include "runtime/progress/report_csv.h"
+
 #include "runtime/progress/text_rules.h"
 
 #include <array>

@@ -1,6 +1,5 @@
-// A report for a teacher to read, in 80 columns: first who is stuck now, then learner by learner.
-#include "runtime/progress/report.h"
-#include "runtime/progress/report_cells.h"
+#include "runtime/progress/report_text.h"
+
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>

@@ -27,8 +27,6 @@ BEGIN {
     still("haptics/levels/contact_levels haptics/levels/level_draft haptics/record/record")
     still("haptics/record/record_header haptics/record/record_layout haptics/record/record_told")
     still("haptics/record/told_layout haptics/voxel/shape_bytes haptics/voxel/shape_seal")
-    still("runtime/app/commands runtime/app/options runtime/app/options_parts runtime/app/quiet_run")
-    still("runtime/progress/report runtime/progress/report_cells")
 }
 function order(name, rooms,    list, n, i) {
     n = split(rooms, list, " ")

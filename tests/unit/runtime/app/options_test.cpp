@@ -1,5 +1,5 @@
-#include "runtime/app/options.h"
 
+#include "runtime/app/parse_options.h"
 #include "tests/support/table.h"
 #include "tests/unit/runtime/rig.h"
 

@@ -4,7 +4,7 @@
 #include "runtime/app/begin_help.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/app/link_words.h"
-#include "runtime/app/options.h"
+#include "runtime/app/parse_options.h"
 #include "runtime/app/shown_sentences.h"
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"

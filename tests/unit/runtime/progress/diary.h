@@ -1,7 +1,7 @@
 // Progress written down answer by answer, for tests of reports.
 #pragma once
 
-#include "runtime/progress/report.h"
+#include "runtime/progress/report_cells.h"
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,7 @@
 #include "runtime/progress/report.h"
 #include "runtime/progress/report_cells.h"
+#include "runtime/progress/report_csv.h"
+#include "runtime/progress/report_text.h"
 #include "runtime/progress/text_rules.h"
 #include "tests/support/csv_reader.h"
 #include "tests/unit/runtime/progress/diary.h"

@@ -1,4 +1,5 @@
 #include "runtime/progress/report.h"
+#include "runtime/progress/report_text.h"
 #include "runtime/progress/sqlite/database.h"
 #include "runtime/progress/sqlite/inspect.h"
 #include "runtime/progress/sqlite/schema.h"

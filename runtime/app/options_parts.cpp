@@ -1,4 +1,3 @@
-// Numbers of the command line, what fulcrum arm and soak are told, and how the hand's device is set.
 #include "runtime/app/options_parts.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "runtime/app/options.h"
+#include "runtime/app/parse_options.h"
 
 #include "runtime/app/options_parts.h"
 #include "runtime/lesson/learner_feedback.h"

@@ -1,0 +1,18 @@
+#include "runtime/app/quiet_run.h"
+
+#include <cstdio>
+
+namespace fulcrum::runtime {
+
+int tell_unmet_examples(LessonRun& run, const AnswerTaker& take_answer) {
+    const auto unmet = find_unmet_examples(run, take_answer);
+    if (!unmet) {
+        return complain(unmet.error(), 1);
+    }
+    for (const std::string& sentence : *unmet) {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
+    return unmet->empty() ? 0 : 1;
+}
+
+}  // namespace fulcrum::runtime
