@@ -1,7 +1,7 @@
 #include "haptics/collision/convex_cursor.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 namespace fulcrum {
 
@@ -9,9 +9,6 @@ namespace {
 
 // How much of a cursor's least half size its corners are rounded by.
 constexpr double kRounded = 1.0e-3;
-// Planes that a cursor may rest on at once.
-constexpr std::size_t kMostFloors = 4;
-
 using Kind = ConvexCore::Kind;
 
 struct MakeCore {
@@ -69,54 +66,8 @@ Gap to_gap(const ConvexGap& apart, double radii_m, double size_m) noexcept {
     return {.normal_B = apart.normal, .gap_m = apart.gap_m - radii_m - depth_m};
 }
 
-// Room for the next ways.
-Box find_wider(const Box& box, double margin_m) noexcept {
-    const Vector3 margin = Vector3::Constant(margin_m);
-    return {box.lower - margin, box.upper + margin};
-}
-
 Vector3 or_up(const Vector3& v) noexcept {
     return v.squaredNorm() > 0.0 ? v : Vector3(Vector3::UnitY());
-}
-
-// The triangle's normal, on the side of a cursor whose middle is there.
-Vector3 find_side(const TriangleForGap& triangle, const Vector3& at_B) noexcept {
-    const double side = triangle.normal.dot(at_B - triangle.a) < 0.0 ? -1.0 : 1.0;
-    return side * triangle.normal;
-}
-
-// The last floors that triangles were found to be below: their neighbours mostly are so, too.
-class SettledBelow {
-  public:
-    void add(const Floor& floor) noexcept {
-        floors_[next_] = floor;
-        next_ = (next_ + 1) % kFloors;
-        count_ = std::min(count_ + 1, kFloors);
-    }
-    [[nodiscard]] bool has_all_of(const TriangleForGap& triangle) const noexcept {
-        return std::any_of(floors_.begin(), floors_.begin() + static_cast<std::ptrdiff_t>(count_),
-                           [&](const Floor& floor) noexcept {
-                               return triangle.highest_along(floor.normal_B) <= floor.height_m;
-                           });
-    }
-
-  private:
-    static constexpr std::size_t kFloors = 8;
-    std::array<Floor, kFloors> floors_{};
-    std::size_t next_ = 0;
-    std::size_t count_ = 0;
-};
-
-template <class FindSupport>
-ConvexGap find_triangle_gap(const TriangleForGap& triangle, const Vector3& face_B,
-                            const Vector3& at_B, FindSupport&& find_support) noexcept {
-    const std::array<Vector3, 3> corners{triangle.a, triangle.a + triangle.ab,
-                                         triangle.a + triangle.ac};
-    return find_convex_gap(face_B, [&](const Vector3& direction) noexcept {
-        const Vector3& corner = *std::ranges::min_element(
-            corners, {}, [&](const Vector3& c) { return direction.dot(c); });
-        return Vector3(at_B + find_support(direction) - corner);
-    });
 }
 
 }  // namespace
@@ -228,126 +179,6 @@ double ConvexObstacle::radius_m() const noexcept {
 
 double ConvexObstacle::clearance_m() const noexcept {
     return kExactClearance * std::max(solid_radius_m_, cursor_.bounding_radius_m());
-}
-
-ConvexMeshObstacle::ConvexMeshObstacle(std::shared_ptr<const CollisionMesh> mesh, ConvexBody cursor)
-    : mesh_(std::move(mesh)), cursor_(std::move(cursor)) {}
-
-Gap ConvexMeshObstacle::find_gap(const TriangleForGap& triangle,
-                                 const Vector3& at_B) const noexcept {
-    const Vector3 face_B = find_side(triangle, at_B);
-    const ConvexGap apart = find_triangle_gap(
-        triangle, face_B, at_B,
-        [this](const Vector3& direction) noexcept { return cursor_.find_support(direction); });
-    if (!(apart.gap_m > 0.0)) {
-        return to_gap({face_B, 0.0}, cursor_.radius_m(), cursor_.bounding_radius_m());
-    }
-    return to_gap(apart, cursor_.radius_m(), 0.0);
-}
-
-Gap ConvexMeshObstacle::find_turned_gap(const TriangleForGap& triangle, const Vector3& from_B,
-                                        const Vector3& to_B) const noexcept {
-    const Vector3 normal = find_triangle_gap(triangle, find_side(triangle, from_B), from_B,
-                                             [this](const Vector3& direction) noexcept {
-                                                 return cursor_.find_kept_support(direction);
-                                             })
-                               .normal;
-    const double lowest_m = normal.dot(to_B + cursor_.find_support(-normal)) - cursor_.radius_m();
-    return {.normal_B = normal, .gap_m = lowest_m - triangle.highest_along(normal)};
-}
-
-// All below that height along the gap's normal was kept off by that plane where the cursor was, and is so now: or will be where it has
-// been pushed off the triangle.
-double ConvexMeshObstacle::find_settled_m(const TriangleForGap& triangle, const Gap& gap,
-                                          const CastQuestion& question) const noexcept {
-    const Vector3& normal = gap.normal_B;
-    const double kept_m = normal.dot(question.from_B + cursor_.find_kept_support(-normal)) -
-                          cursor_.radius_m() - question.level_m;
-    const double now_m =
-        triangle.highest_along(normal) + std::max(gap.gap_m - question.level_m, 0.0);
-    return std::min(kept_m, now_m);
-}
-
-// Does the triangle's own plane, or a floor, keep it off the way?
-bool ConvexMeshObstacle::is_free(const TriangleForGap& triangle, const CastQuestion& question,
-                                 std::span<const Floor> floors) const noexcept {
-    const Vector3 own = find_side(triangle, question.from_B);
-    return triangle.highest_along(own) <=
-               cursor_.find_lowest_m(own, question.from_B, question.to_B) - question.level_m ||
-           std::ranges::any_of(floors, [&](const Floor& floor) noexcept {
-               return triangle.highest_along(floor.normal_B) <= floor.height_m;
-           });
-}
-
-CastHit ConvexMeshObstacle::cast(const CastQuestion& question) noexcept {
-    std::array<Floor, kMostFloors> floors;
-    const std::size_t n_floors = std::min(question.normals_B.size(), kMostFloors);
-    for (std::size_t i = 0; i < n_floors; ++i) {
-        const Vector3& normal = question.normals_B[i];
-        floors[i] = {normal, cursor_.find_lowest_m(normal, question.from_B, question.to_B) -
-                                 question.level_m};
-    }
-    const std::span<const Floor> given(floors.data(), n_floors);
-    CastHit nearest;
-    double least_m = question.level_m;
-    SettledBelow settled;
-    const auto ask = [&](std::int32_t index) noexcept {
-        const TriangleForGap triangle = prepare_for_gap(*mesh_, index);
-        if (is_free(triangle, question, given)) {
-            return;
-        }
-        if (cursor_.has_turned()) {
-            if (settled.has_all_of(triangle)) {
-                return;
-            }
-            const Gap gap = find_turned_gap(triangle, question.from_B, question.to_B);
-            settled.add({gap.normal_B, find_settled_m(triangle, gap, question)});
-            if (gap.gap_m < least_m) {
-                least_m = gap.gap_m;
-                nearest = {0.0, index};
-            }
-            return;
-        }
-        const double t = cast_convex(
-            question, [&](const Vector3& at_B) noexcept { return find_gap(triangle, at_B); });
-        if (t < nearest.t || (t == nearest.t && t <= 1.0 && index < nearest.feature)) {
-            nearest = {t, index};
-        }
-    };
-    const Box swept = cursor_.find_swept_box(question.from_B, question.to_B, question.level_m);
-    if (near_.covers(swept) || near_.collect(*mesh_, find_wider(swept, question.reach_m))) {
-        near_.for_each_in_box(swept, given, ask);
-    } else {
-        mesh_->tree().for_each_in_box(swept, ask);
-    }
-    return nearest;
-}
-
-Gap ConvexMeshObstacle::find_gap(std::int32_t feature, const Vector3& at_B) const noexcept {
-    const TriangleForGap triangle = prepare_for_gap(*mesh_, feature);
-    return cursor_.has_turned() ? find_turned_gap(triangle, at_B, at_B) : find_gap(triangle, at_B);
-}
-
-std::int32_t ConvexMeshObstacle::find_nearest(const Vector3& at_B, double level_m) const noexcept {
-    std::int32_t nearest = -1;
-    double least_m = level_m;
-    mesh_->tree().for_each_in_box(cursor_.find_swept_box(at_B, at_B, level_m),
-                                  [&](std::int32_t triangle) noexcept {
-                                      const double gap_m = find_gap(triangle, at_B).gap_m;
-                                      if (gap_m < least_m) {
-                                          least_m = gap_m;
-                                          nearest = triangle;
-                                      }
-                                  });
-    return nearest;
-}
-
-double ConvexMeshObstacle::radius_m() const noexcept {
-    return mesh_->radius_m() + cursor_.bounding_radius_m();
-}
-
-double ConvexMeshObstacle::clearance_m() const noexcept {
-    return kExactClearance * std::max(mesh_->radius_m(), cursor_.bounding_radius_m());
 }
 
 }  // namespace fulcrum

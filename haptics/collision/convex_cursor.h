@@ -1,24 +1,21 @@
-// A cursor of any convex shape against a convex solid, and against a mesh.
+// A cursor of any convex shape, and a convex solid as it meets it; a mesh: convex_mesh_obstacle.h.
 //
 // Cursor and solid are cores with a radius round them (convex_gap.h). A cursor's corners and edges are rounded by a thousandth of its
 // least half size, a hull cursor is as much larger: so that between cores that touch there is always a distance, and a direction. When
 // the cursor turns, or the body, the cursor turns in the body's frame (obstacle.h).
 //
-// A mesh's triangles near the cursor are remembered (near_leaves.h): eight at a time those beside the way, or below the planes that the
-// cursor rests on, are passed over.
-//
-// Thread: haptic loop. Cost: a distance some hundred nanoseconds, of each triangle that is left; no allocation.
+// Thread: haptic loop. Cost: a distance some hundred nanoseconds, of a cylinder one or two thousand; no allocation.
 #pragma once
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/collision/convex_gap.h"
-#include "haptics/collision/near_leaves.h"
 #include "haptics/collision/obstacle.h"
 #include "haptics/collision/solid_shape.h"
 #include "haptics/collision/triangle_gap.h"
 #include "haptics/geometry/step_box.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace fulcrum {
@@ -102,39 +99,6 @@ class ConvexObstacle final : public Obstacle {
     ConvexBody solid_;
     TurnedCursor cursor_;
     double solid_radius_m_;
-};
-
-/// A mesh as a convex cursor meets it.
-class ConvexMeshObstacle final : public Obstacle {
-  public:
-    ConvexMeshObstacle(std::shared_ptr<const CollisionMesh> mesh, ConvexBody cursor);
-
-    [[nodiscard]] CastHit cast(const CastQuestion& question) noexcept override;
-    [[nodiscard]] Gap find_gap(std::int32_t feature, const Vector3& at_B) const noexcept override;
-    [[nodiscard]] double find_bend(std::int32_t /*feature*/, const Vector3& /*at_B*/,
-                                   const Vector3& /*direction_B*/) const noexcept override {
-        return 0.0;
-    }
-    [[nodiscard]] std::int32_t find_nearest(const Vector3& at_B,
-                                            double level_m) const noexcept override;
-    bool turn(const Matrix3& turn_CB) noexcept override { return cursor_.turn(turn_CB); }
-    void keep_turn() noexcept override { cursor_.keep_turn(); }
-    [[nodiscard]] Vector3 centre_B() const noexcept override { return mesh_->centre_B(); }
-    [[nodiscard]] double radius_m() const noexcept override;
-    [[nodiscard]] double clearance_m() const noexcept override;
-
-  private:
-    [[nodiscard]] Gap find_gap(const TriangleForGap& triangle, const Vector3& at_B) const noexcept;
-    [[nodiscard]] Gap find_turned_gap(const TriangleForGap& triangle, const Vector3& from_B,
-                                      const Vector3& to_B) const noexcept;
-    [[nodiscard]] double find_settled_m(const TriangleForGap& triangle, const Gap& gap,
-                                        const CastQuestion& question) const noexcept;
-    [[nodiscard]] bool is_free(const TriangleForGap& triangle, const CastQuestion& question,
-                               std::span<const Floor> floors) const noexcept;
-
-    std::shared_ptr<const CollisionMesh> mesh_;
-    TurnedCursor cursor_;
-    NearLeaves near_;
 };
 
 }  // namespace fulcrum

@@ -23,7 +23,8 @@ Vector3 ConvexCore::find_support(const Vector3& direction) const noexcept {
             return {with_sign(half_m.x(), direction.x()), with_sign(half_m.y(), direction.y()),
                     with_sign(half_m.z(), direction.z())};
         case Kind::cylinder: {
-            const double across = std::hypot(direction.x(), direction.z());
+            const double across =
+                std::sqrt(direction.x() * direction.x() + direction.z() * direction.z());
             const double part = across > 0.0 ? half_m.x() / across : 0.0;
             return {part * direction.x(), with_sign(half_m.y(), direction.y()),
                     part * direction.z()};

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace fulcrum {
@@ -40,9 +41,17 @@ struct ConvexGap {
 };
 
 /// `find_support(d)` gives the point of the difference first - second that is farthest along d. `start` is any vector from the second
-/// to the first, not zero.
+/// to the first, not zero. Ends early where is_enough(n, n . w, |v|) says so: a direction, and how far the bodies are
+/// apart at least and at most.
+template <class FindSupport, class IsEnough>
+[[nodiscard]] ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support,
+                                        IsEnough&& is_enough) noexcept;
 template <class FindSupport>
-[[nodiscard]] ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support) noexcept;
+[[nodiscard]] ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support) noexcept {
+    return find_convex_gap(
+        start, find_support,
+        [](const Vector3& /*normal*/, double /*least_m*/, double /*most_m*/) { return false; });
+}
 
 /// The points of a simplex, and its point nearest to the origin.
 class Simplex {
@@ -63,8 +72,9 @@ class Simplex {
     std::size_t count_ = 0;
 };
 
-template <class FindSupport>
-ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support) noexcept {
+template <class FindSupport, class IsEnough>
+ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support,
+                          IsEnough&& is_enough) noexcept {
     constexpr int kMostSteps = 64;
     constexpr double kEnough = 1.0e-10;  // of the distance: what may be left
     constexpr double kMeet = 1.0e-14;    // of the difference's size: no distance
@@ -72,8 +82,13 @@ ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support) noex
     Vector3 v = start;
     ConvexGap best{.normal = compute_direction(start), .gap_m = 0.0};
     double size_m = 0.0;
+    double last_m = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSteps; ++i) {
         const double length_m = v.norm();
+        if (i > 1 && !(length_m < last_m)) {
+            return best;  // rounding alone is left
+        }
+        last_m = length_m;
         if (!(length_m > kMeet * size_m)) {
             return best;
         }
@@ -86,6 +101,10 @@ ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support) noex
         size_m = size_m > w.norm() ? size_m : w.norm();
         const bool is_point_of_it = i > 0;
         if (is_point_of_it && length_m - bound_m <= kEnough * length_m) {
+            return best;
+        }
+        if (is_enough(normal, bound_m,
+                      is_point_of_it ? length_m : std::numeric_limits<double>::infinity())) {
             return best;
         }
         if (!simplex.add(w)) {

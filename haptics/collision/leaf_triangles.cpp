@@ -132,43 +132,6 @@ unsigned LeafTriangles::find_near(const Vector3& middle_B, const Vector3& half_B
     return find_not_above_0(rest);
 }
 
-unsigned LeafTriangles::find_in_box(const Box& box_B) const noexcept {
-    const Vector3 lower = (box_B.lower - middle_B_) * radii_per_m_;
-    const Vector3 upper = (box_B.upper - middle_B_) * radii_per_m_;
-    const auto slack =
-        static_cast<float>(kRounding * (largest_component(lower) + largest_component(upper) + 2.0));
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled below
-    alignas(32) Row beside;
-    beside.fill(-1.0F);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<Index>(axis);
-        const float least = static_cast<float>(lower[k]) - slack;
-        const float most = static_cast<float>(upper[k]) + slack;
-        for (std::size_t i = 0; i < kWidth; ++i) {
-            const float a = a_[axis][i];
-            const float highest = a + not_below_0(larger_of(ab_[axis][i], ac_[axis][i]));
-            const float lowest = a - not_below_0(larger_of(-ab_[axis][i], -ac_[axis][i]));
-            beside[i] = larger_of(beside[i], larger_of(least - highest, lowest - most));
-        }
-    }
-    return find_not_above_0(beside);
-}
-
-unsigned LeafTriangles::find_above(const Vector3& direction_B, double height_m) const noexcept {
-    const double height = (height_m - direction_B.dot(middle_B_)) * radii_per_m_;
-    const auto enough = static_cast<float>(height - kRounding * (std::abs(height) + 2.0));
-    const Lane u{static_cast<float>(direction_B.x()), static_cast<float>(direction_B.y()),
-                 static_cast<float>(direction_B.z())};
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled by the loop
-    alignas(32) Row below;
-    for (std::size_t i = 0; i < kWidth; ++i) {
-        const float ab = dot(u, {ab_[0][i], ab_[1][i], ab_[2][i]});
-        const float ac = dot(u, {ac_[0][i], ac_[1][i], ac_[2][i]});
-        below[i] = enough - dot(u, {a_[0][i], a_[1][i], a_[2][i]}) - not_below_0(larger_of(ab, ac));
-    }
-    return find_not_above_0(below);
-}
-
 unsigned LeafTriangles::find_not_above_0(const Row& numbers) const noexcept {
     unsigned found = 0;
     for (unsigned i = 0; i < kWidth; ++i) {

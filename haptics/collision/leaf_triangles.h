@@ -8,8 +8,6 @@
 // radius, r is taken larger by more than rounding can amount to. So a triangle that is left out is not met; of the few others the exact
 // question is asked.
 //
-// A cursor of another shape asks for the triangles of a box that reach above planes that it does not sink through: the same, with u given.
-//
 // Thread: any. Cost: to put a leaf in about a hundred nanoseconds, to ask its eight triangles about ten; no allocation.
 // Source: separating planes between convex bodies as in G. van den Bergen 2004 (see obstacle.h); nearest points of edges as in C. Ericson
 // 2005, Real-Time Collision Detection, 5.1.
@@ -37,10 +35,6 @@ class LeafTriangles {
     /// bit i is triangle kWidth leaf() + i.
     [[nodiscard]] unsigned find_near(const Vector3& middle_B, const Vector3& half_B,
                                      double distance_m) const noexcept;
-    /// A bit for each triangle whose own box may overlap this one.
-    [[nodiscard]] unsigned find_in_box(const Box& box_B) const noexcept;
-    /// A bit for each triangle of which a corner may lie higher than `height_m` along the unit vector.
-    [[nodiscard]] unsigned find_above(const Vector3& direction_B, double height_m) const noexcept;
 
   private:
     using Row = std::array<float, kWidth>;  // a number of each triangle

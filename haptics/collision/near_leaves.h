@@ -1,6 +1,6 @@
-// The leaves of a mesh's tree around a cursor, kept from one way to the next: what a cursor that slides asks about.
+// The leaves of a mesh's tree around a ball, kept from one way to the next: what a ball that slides asks about.
 //
-// They are those that overlap a box. When the cursor leaves the box the leaves of another are found; of those that both have nothing is
+// They are those that overlap a box. When the ball leaves the box the leaves of another are found; of those that both have nothing is
 // loaded anew, so that a step pays for what came near, not for all that is near.
 //
 // Thread: the one that owns it. Cost: finding O(log n + leaves), then about a hundred nanoseconds a new one; no allocation.
@@ -16,12 +16,6 @@
 #include <span>
 
 namespace fulcrum {
-
-/// What lies wholly below is not asked about: normal . x <= height.
-struct Floor {
-    Vector3 normal_B{Vector3::UnitY()};  ///< unit
-    double height_m = 0.0;
-};
 
 class NearLeaves {
   public:
@@ -47,10 +41,6 @@ class NearLeaves {
     template <class Visit>
     void for_each_near_way(const Vector3& from_B, const Vector3& to_B, double distance_m,
                            Visit&& visit) const noexcept;
-    /// Calls visit(triangle) for all that overlap the box and reach above each floor, and some others; the box must be covered.
-    template <class Visit>
-    void for_each_in_box(const Box& box_B, std::span<const Floor> floors,
-                         Visit&& visit) const noexcept;
 
   private:
     using Places = std::array<std::uint16_t, kCapacity>;
@@ -83,25 +73,6 @@ void NearLeaves::for_each_near_way(const Vector3& from_B, const Vector3& to_B, d
         unsigned near = leaf.find_near(middle_B, half_B, distance_m);
         for (; near != 0; near &= near - 1U) {
             visit(leaf.leaf() * LeafTriangles::kWidth + std::countr_zero(near));
-        }
-    }
-}
-
-template <class Visit>
-void NearLeaves::for_each_in_box(const Box& box_B, std::span<const Floor> floors,
-                                 Visit&& visit) const noexcept {
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled as it grows
-    Places close;
-    const Vector3 half_B = 0.5 * (box_B.upper - box_B.lower);
-    const std::size_t n_close = find_close(box_B.lower + half_B, half_B.norm(), close);
-    for (std::size_t i = 0; i < n_close; ++i) {
-        const LeafTriangles& leaf = loaded_[close[i]];
-        unsigned found = leaf.find_in_box(box_B);
-        for (const Floor& floor : floors) {
-            found &= found == 0 ? 0U : leaf.find_above(floor.normal_B, floor.height_m);
-        }
-        for (; found != 0; found &= found - 1U) {
-            visit(leaf.leaf() * LeafTriangles::kWidth + std::countr_zero(found));
         }
     }
 }

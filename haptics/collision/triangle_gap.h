@@ -29,6 +29,13 @@ struct TriangleForGap {
         const double beyond_a = std::max(direction.dot(ab), direction.dot(ac));
         return direction.dot(a) + std::max(beyond_a, 0.0);
     }
+    [[nodiscard]] Vector3 find_farthest(const Vector3& direction) const noexcept {
+        const double beyond_ab_m = direction.dot(ab);
+        const double beyond_ac_m = direction.dot(ac);
+        return beyond_ab_m > std::max(beyond_ac_m, 0.0) ? Vector3(a + ab)
+               : beyond_ac_m > 0.0                      ? Vector3(a + ac)
+                                                        : a;
+    }
 };
 
 /// The part of a triangle that is nearest to a point.

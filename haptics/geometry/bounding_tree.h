@@ -41,6 +41,9 @@ class BoundingTree {
     /// Calls visit(slot) for every triangle whose box may overlap `box`, and some others near it.
     template <class Visit>
     void for_each_in_box(const Box& box, Visit&& visit) const noexcept;
+    /// The same, but that of nodes for whose box is_off(box) says so nothing is visited: all of their triangles lie in it.
+    template <class IsOff, class Visit>
+    void for_each_in_box(const Box& box, IsOff&& is_off, Visit&& visit) const noexcept;
 
     /// Writes the leaves, nodes of up to 8 triangles, that may hold a triangle overlapping `box`. Returns how many, or
     /// nothing when they are more than fit, or the nodes above them more than a search holds.
@@ -144,6 +147,12 @@ class BoundingTree::LeafSearch {
 
 template <class Visit>
 void BoundingTree::for_each_in_box(const Box& box, Visit&& visit) const noexcept {
+    for_each_in_box(
+        box, [](const Box& /*node*/) noexcept { return false; }, visit);
+}
+
+template <class IsOff, class Visit>
+void BoundingTree::for_each_in_box(const Box& box, IsOff&& is_off, Visit&& visit) const noexcept {
     if (!root_box_.overlaps(box)) {
         return;
     }
@@ -154,11 +163,16 @@ void BoundingTree::for_each_in_box(const Box& box, Visit&& visit) const noexcept
     stack[n_stacked++] = {0, 0, 0.0F};
     while (n_stacked > 0) {
         const Place place = stack[--n_stacked];
-        unsigned overlapping = find_overlapping(node_at(place), steps);
+        const EightBoxes& node = node_at(place);
+        unsigned overlapping = find_overlapping(node, steps);
         for (; overlapping != 0; overlapping &= overlapping - 1U) {
-            const std::int32_t child = place.index * kWidth + std::countr_zero(overlapping);
+            const int which = std::countr_zero(overlapping);
+            const std::int32_t child = place.index * kWidth + which;
             if (place.level + 1 == n_levels_) {
                 visit(child);
+                continue;
+            }
+            if (is_off(grid_.to_box(node, which))) {
                 continue;
             }
             stack[n_stacked++] = {place.level + 1, child, 0.0F};

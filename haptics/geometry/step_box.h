@@ -39,6 +39,12 @@ struct StepBox {
     std::array<std::int16_t, 3> upper{};
 };
 
+/// Eight boxes, by axis and then by box.
+struct EightBoxes {
+    alignas(16) std::array<std::array<std::int16_t, 8>, 3> lower;
+    alignas(16) std::array<std::array<std::int16_t, 8>, 3> upper;
+};
+
 class StepGrid {
   public:
     /// Steps run from -32767 to 32766. The two values left over make the box of an absent child, which nothing overlaps.
@@ -60,6 +66,17 @@ class StepGrid {
         }
         return steps;
     }
+    /// Of boxes that were made so: all that one of them holds, and a step beyond.
+    [[nodiscard]] Box to_box(const EightBoxes& eight, int which) const noexcept {
+        Box box;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<Index>(axis);
+            const auto child = static_cast<std::size_t>(which);
+            box.lower[i] = lower_[i] + (eight.lower[axis][child] + (kMiddle - 1)) / steps_per_m_[i];
+            box.upper[i] = lower_[i] + (eight.upper[axis][child] + (kMiddle + 2)) / steps_per_m_[i];
+        }
+        return box;
+    }
     /// A place between steps, not rounded.
     [[nodiscard]] double to_place(double coordinate, Index axis) const noexcept {
         return (coordinate - lower_[axis]) * steps_per_m_[axis] - kMiddle;
@@ -75,12 +92,6 @@ class StepGrid {
 
     Vector3 lower_{Vector3::Zero()};
     Vector3 steps_per_m_{Vector3::Ones()};
-};
-
-/// Eight boxes, by axis and then by box.
-struct EightBoxes {
-    alignas(16) std::array<std::array<std::int16_t, 8>, 3> lower;
-    alignas(16) std::array<std::array<std::int16_t, 8>, 3> upper;
 };
 
 /// One bit for each of the eight that overlaps `box`; 0 for absent ones.

@@ -1,6 +1,7 @@
 #include "haptics/point/make_obstacle.h"
 
 #include "haptics/collision/convex_cursor.h"
+#include "haptics/collision/convex_mesh_obstacle.h"
 #include "haptics/collision/distance_obstacle.h"
 #include "haptics/collision/mesh_obstacle.h"
 #include "haptics/collision/shape_obstacle.h"

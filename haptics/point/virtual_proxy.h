@@ -24,8 +24,10 @@
 //  - Where there is no such place, or more would be lent, it keeps its turn, and tries half of it in the next round, and then a quarter:
 //    so a stick that was turned across a corridor too narrow for it stays as it was until there is room.
 //
-// Thread: haptic loop. Cost: bounded casts a step. A turn asks besides which features are in the way, all that are near: a box of 10 cm that turns by
-// 3 rad/s on a ball of 11 520 facets takes 39 us, 99 % 0.7 ms, where it takes 4 and 18 us as it is; a cylinder ten times that. No allocation, noexcept.
+// Thread: haptic loop. Cost: bounded casts a step, and a turn looks besides at what is in its way. On a ball of 20 cm and 11 520 facets a box of
+// 10 cm that turns by 3 rad/s takes 20 us, 99 % 60 us, where its step takes 8; by 50 rad/s 43 and 230 us; a cylinder twice that. On a
+// ball of 2 cm in radius, where all is near, a cylinder of 6 by 12 cm takes 0.1 ms by 3 rad/s, 0.4 by 50, single rounds of either up to 5 ms.
+// No allocation, noexcept.
 // Source: the turn is ours; D. C. Ruspini, K. Kolarov, O. Khatib 1997, The haptic display of complex graphical environments, SIGGRAPH.
 #pragma once
 

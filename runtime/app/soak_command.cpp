@@ -42,7 +42,8 @@ constexpr double kRealTime_s = 2.0;             // of each lesson
 constexpr std::uint64_t kMostMoreSeeds = 1000;  // looked through for what has not occurred
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kKeepsFreed = true;  // AddressSanitizer holds back what was freed, to see a use of it
+constexpr bool kKeepsFreed =
+    true;  // AddressSanitizer holds back what was freed, to see a use of it
 #else
 constexpr bool kKeepsFreed = false;
 #endif

@@ -26,8 +26,8 @@ BEGIN {
     home["^Eigen/"] = "^haptics/(math/to_eigen[.]h|.*[.]cpp)$"
     home["^tl/expected[.]hpp$"] = "."
     home["^catch2/"] = "^$"
-    # Linux, glibc and the processor; the standard library has neither slash nor dot.
-    home["^(sys|linux|arpa|netinet|net)/"] = "."
+    # Linux, glibc, the compiler and the processor; the standard library has neither slash nor dot.
+    home["^(sys|linux|arpa|netinet|net|sanitizer)/"] = "."
     home["^(pthread|sched|spawn|elf|link|netdb|unistd|dirent|fcntl|poll|signal|time|pwd|grp|dlfcn|malloc|termios|semaphore|immintrin|xmmintrin|emmintrin|x86intrin|cpuid)[.]h$"] = "."
     home["^[a-z_]+$"] = "."
 }

@@ -10,7 +10,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -24,16 +23,6 @@ constexpr int kPlaces = 33;  // on a way, where its distance is taken
 
 double find_distance_m(const CollisionMesh& mesh, std::int32_t triangle, const Vector3& at) {
     return find_triangle_gap(prepare_for_gap(mesh, triangle), at).distance_m;
-}
-
-// Of a triangle: the box round it, and how high it reaches.
-Box find_box(const CollisionMesh& mesh, std::int32_t triangle) {
-    const auto [a, b, c] = mesh.places_B(triangle);
-    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-}
-double find_top(const CollisionMesh& mesh, std::int32_t triangle, const Vector3& up) {
-    const auto [a, b, c] = mesh.places_B(triangle);
-    return std::max({up.dot(a), up.dot(b), up.dot(c)});
 }
 
 // The least distance between a triangle and the places of a way, which is that of the way or little more.
@@ -117,11 +106,6 @@ TEST_CASE("leaf triangles: what is just touched is told, whatever single precisi
             const Vector3 half = 0.3 * away * random.direction();
             REQUIRE((leaf.find_near(at - half, half, distance * (1.0 + 1.0e-14)) & bit) != 0);
         }
-        const Vector3 up = random.direction();
-        REQUIRE((leaf.find_above(up, find_top(*mesh, triangle, up) - 1.0e-15) & bit) != 0);
-        const auto [lower, upper] = find_box(*mesh, triangle);
-        REQUIRE((leaf.find_in_box({upper, upper + Vector3::Ones()}) & bit) != 0);
-        REQUIRE((leaf.find_in_box({lower - Vector3::Ones(), lower}) & bit) != 0);
     }
 }
 
@@ -160,41 +144,6 @@ TEST_CASE("leaf triangles: slivers are asked, and of a fine surface only what a 
     CHECK(n_asked < 2 * kPlacesOnIt);
 }
 
-TEST_CASE("leaf triangles: those in a box, and those above a plane, are all told and few others") {
-    for (const double scale : {1.0e-6, 1.0, 1.0e6}) {
-        const auto mesh = touchable(make_bumpy_sphere(scale, 8, 0.1, 6.0));
-        Random random(12);
-        LeafTriangles leaf;
-        int n_wrong = 0;
-        int n_in_box = 0;
-        int n_above = 0;
-        for (std::int32_t index = 0; index < mesh->n_triangles() / 8; ++index) {
-            leaf.load(*mesh, index);
-            const Vector3 middle = leaf.middle_B() + leaf.radius_m() * random.in_cube();
-            const Vector3 half = 0.5 * leaf.radius_m() * random.in_cube().cwiseAbs();
-            const Box box{middle - half, middle + half};
-            const Vector3 up = random.direction();
-            const double height = up.dot(middle);
-            const unsigned in_box = leaf.find_in_box(box);
-            const unsigned above = leaf.find_above(up, height);
-            for (unsigned bit = 0; bit < 8; ++bit) {
-                const std::int32_t triangle = 8 * index + static_cast<std::int32_t>(bit);
-                const bool is_in_box = find_box(*mesh, triangle).overlaps(box);
-                const bool is_above = find_top(*mesh, triangle, up) > height;
-                REQUIRE(((in_box >> bit & 1U) != 0 || !is_in_box));
-                REQUIRE(((above >> bit & 1U) != 0 || !is_above));
-                n_wrong += (in_box >> bit & 1U) != (is_in_box ? 1U : 0U) ? 1 : 0;
-                n_wrong += (above >> bit & 1U) != (is_above ? 1U : 0U) ? 1 : 0;
-                n_in_box += is_in_box ? 1 : 0;
-                n_above += is_above ? 1 : 0;
-            }
-        }
-        CHECK(n_wrong < 4);
-        CHECK(n_in_box > 50);
-        CHECK(n_above > 100);
-    }
-}
-
 TEST_CASE("leaf triangles: a leaf that is not full tells of no others") {
     const auto mesh = touchable(make_box(Vector3::Ones()));
     REQUIRE(mesh->n_triangles() == 12);
@@ -203,9 +152,6 @@ TEST_CASE("leaf triangles: a leaf that is not full tells of no others") {
     CHECK(leaf.leaf() == 1);
     CHECK(leaf.find_near(Vector3::Zero(), Vector3::Zero(), 10.0) == 0x0FU);
     CHECK(leaf.find_near(Vector3(0.0, 3.0, 0.0), Vector3::Zero(), 0.1) == 0U);
-    CHECK(leaf.find_in_box({Vector3::Constant(-1.0), Vector3::Constant(1.0)}) == 0x0FU);
-    CHECK(leaf.find_above(Vector3::UnitY(), -1.0) == 0x0FU);
-    CHECK(leaf.find_above(Vector3::UnitY(), 0.6) == 0U);
 }
 
 constexpr double kBall = 0.1;
@@ -265,34 +211,6 @@ TEST_CASE("near leaves: every triangle that a ball meets on its way is told") {
         }
     }
     CHECK(n_met > 200);
-}
-
-TEST_CASE("near leaves: in a box all triangles are told that reach above the floors") {
-    const auto mesh = touchable(make_bumpy_sphere(1.0, 16, 0.1, 6.0));
-    Random random(14);
-    NearLeaves near;
-    int n_told = 0;
-    int n_asked = 0;
-    for (int i = 0; i < 50; ++i) {
-        const Vector3 out = random.direction();
-        const Box box = box_of(1.05 * out, 0.15);
-        REQUIRE(near.collect(*mesh, box));
-        const std::array<Floor, 2> floors{Floor{out, 1.02}, Floor{out.unitOrthogonal(), -0.05}};
-        std::set<std::int32_t> told;
-        near.for_each_in_box(box, floors, [&](std::int32_t triangle) { told.insert(triangle); });
-        for (std::int32_t triangle = 0; triangle < mesh->n_triangles(); ++triangle) {
-            const bool is_asked =
-                find_box(*mesh, triangle).overlaps(box) &&
-                std::ranges::all_of(floors, [&](const Floor& floor) {
-                    return find_top(*mesh, triangle, floor.normal_B) > floor.height_m;
-                });
-            REQUIRE((told.contains(triangle) || !is_asked));
-            n_asked += is_asked ? 1 : 0;
-        }
-        n_told += static_cast<int>(told.size());
-    }
-    CHECK(n_asked > 200);
-    CHECK(n_told < n_asked + 10);
 }
 
 TEST_CASE("near leaves: when they are too many none is covered, and the next box is as ever") {

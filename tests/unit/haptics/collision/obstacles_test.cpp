@@ -1,5 +1,6 @@
 // What a cursor is cast against: mesh_obstacle.h for balls, convex_cursor.h for any other, distance_obstacle.h for functions.
 #include "haptics/collision/convex_cursor.h"
+#include "haptics/collision/convex_mesh_obstacle.h"
 #include "haptics/collision/distance_obstacle.h"
 #include "haptics/collision/mesh_obstacle.h"
 #include "haptics/geometry/shape.h"
@@ -56,60 +57,21 @@ TEST_CASE("mesh obstacle: a ball stops where it first touches, and nothing is to
     CHECK(n_hits < 550);
 }
 
-// One obstacle remembers, another is made anew for each way; both must tell the same.
-template <class Make, class Step>
-void check_memory_changes_nothing(int n_steps, const Make& make, const Step& step) {
-    auto remembering = make();
-    Vector3 from = Vector3::Zero();
-    for (int i = 0; i < n_steps; ++i) {
-        auto fresh = make();
-        const Vector3 to = step(i, from, *remembering, *fresh);
+TEST_CASE("mesh obstacle: what it remembers of earlier ways changes no answer") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 12, 0.1, 8.0));
+    MeshObstacle remembering(mesh, kRadius_m);
+    Wanderer wanderer(6);
+    Vector3 from = 1.25 * wanderer.next();
+    for (int i = 0; i < 3000; ++i) {
+        MeshObstacle fresh(mesh, kRadius_m);
+        const Vector3 to = wanderer.next() * (1.15 + 0.1 * std::sin(0.02 * i));
         const CastQuestion question{
             .from_B = from, .to_B = to, .level_m = kLevel_m, .reach_m = 0.004};
-        const CastHit expected = fresh->cast(question);
-        const CastHit hit = remembering->cast(question);
+        const CastHit expected = fresh.cast(question);
+        const CastHit hit = remembering.cast(question);
         REQUIRE(hit.t == Approx(expected.t).margin(1e-9));
         from += std::min(hit.t, 1.0) * (to - from);
     }
-}
-
-TEST_CASE("mesh obstacle: what it remembers of earlier ways changes no answer") {
-    const auto mesh = touchable(make_bumpy_sphere(1.0, 12, 0.1, 8.0));
-    Wanderer wanderer(6);
-    check_memory_changes_nothing(
-        3000, [&] { return std::make_unique<MeshObstacle>(mesh, kRadius_m); },
-        [&](int i, Vector3& from, MeshObstacle&, MeshObstacle&) {
-            from = i == 0 ? Vector3(1.25 * wanderer.next()) : from;
-            return Vector3(wanderer.next() * (1.15 + 0.1 * std::sin(0.02 * i)));
-        });
-}
-
-TEST_CASE("convex cursor: what it remembers of a mesh changes no answer, however the body turns") {
-    const auto mesh = touchable(make_bumpy_sphere(1.0, 20, 0.1, 8.0));
-    const ConvexBody cursor = make_convex_cursor(BoxShape{{0.05, 0.03, 0.08}});
-    Wanderer wanderer(6);
-    Random random(9);
-    Matrix3 turned = Matrix3::Identity();
-    int n_hits = 0;
-    check_memory_changes_nothing(
-        1500, [&] { return std::make_unique<ConvexMeshObstacle>(mesh, cursor); },
-        [&](int i, Vector3& from, ConvexMeshObstacle& remembering, ConvexMeshObstacle& fresh) {
-            if (i % 50 == 0) {
-                // The cursor turns where it is free.
-                from = 1.3 * wanderer.next();
-                turned = random.turn(1.0).toRotationMatrix();
-                remembering.turn(turned);
-                remembering.keep_turn();
-            }
-            fresh.turn(turned);
-            fresh.keep_turn();
-            // Free of every triangle there, as asked of each.
-            REQUIRE(remembering.find_nearest(from, 0.4 * kLevel_m) == -1);
-            const Vector3 to = wanderer.next() * (1.12 + 0.1 * std::sin(0.1 * i));
-            n_hits += fresh.cast({.from_B = from, .to_B = to, .level_m = kLevel_m}).found() ? 1 : 0;
-            return to;
-        });
-    CHECK(n_hits > 100);
 }
 
 TEST_CASE("convex cursor: one that has turned is met where the plane that kept it off is passed") {

@@ -76,6 +76,44 @@ TEST_CASE("bounding tree: a box query misses no triangle and finds few others, a
     }
 }
 
+TEST_CASE("bounding tree: of nodes that are off nothing is visited, and nothing else is left out") {
+    std::mt19937_64 random(8);
+    std::normal_distribution<double> normal;
+    for (const double scale : {1e-4, 1.0, 1e4}) {
+        const auto mesh = make_bumpy_sphere(scale, 12, 0.1, 7.0);
+        const BoundingTree tree(*mesh);
+        const Box everything{mesh->lower_B(), mesh->upper_B()};
+        std::size_t n_above = 0;
+        std::size_t n_visited = 0;
+        for (int round = 0; round < 100; ++round) {
+            const Vector3 up = Vector3(normal(random), normal(random), normal(random)).normalized();
+            const double height = scale * 0.3 * normal(random);
+            std::set<std::int32_t> visited;
+            tree.for_each_in_box(
+                everything,
+                [&](const Box& node) {
+                    return up.dot(0.5 * (node.lower + node.upper)) +
+                               up.cwiseAbs().dot(0.5 * (node.upper - node.lower)) <
+                           height;
+                },
+                [&](std::int32_t slot) {
+                    visited.insert(tree.order()[static_cast<std::size_t>(slot)]);
+                });
+            n_visited += visited.size();
+            for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh->triangles().size()); ++i) {
+                const auto [a, b, c] =
+                    corners_of(*mesh, mesh->triangles()[static_cast<std::size_t>(i)]);
+                if (std::max({up.dot(a), up.dot(b), up.dot(c)}) >= height) {
+                    ++n_above;
+                    REQUIRE(visited.count(i) == 1);
+                }
+            }
+        }
+        // A leaf at the plane holds some that are below it.
+        CHECK(n_visited < n_above + n_above / 4);
+    }
+}
+
 TEST_CASE("bounding tree: leaves searched for in pieces are those of one search") {
     const BoundingTree tree(*make_bumpy_sphere(1.0, 40, 0.1, 7.0));
     const auto as_set = [](std::span<const std::int32_t> leaves) {

@@ -1,5 +1,6 @@
 // Cursors that turn with the hand, and bodies that turn under them.
 #include "haptics/collision/convex_cursor.h"
+#include "haptics/collision/convex_mesh_obstacle.h"
 #include "haptics/geometry/height_field.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/point/make_obstacle.h"
