@@ -1,5 +1,5 @@
 // A lesson as data: what its Lua declared in `lesson{}` and `start(world)`. The plan is compiled from this alone.
-// Every item knows the line of the lesson that asked for it.
+// Every item knows the line of the lesson that asked for it. Ranges, defaults and units as a lesson gives them: runtime/effect.
 #pragma once
 
 #include "dialogue/marking/feedback_ladder.h"
@@ -76,17 +76,17 @@ inline constexpr double kLeastEdge_m = 0.002;
 inline constexpr double kMostEdge_m = 10.0;
 
 struct BodyDescription {
-    std::string name;        ///< unique; how Lua calls it
-    std::string noun;        ///< English noun as a child says it, e.g. "watermelon"
-    std::string model;       ///< name of a model, e.g. "apple" for assets/models/apple.glb
-    double radius_m = 0.05;  ///< 0.001 to 10
-    double mass_kg = 1.0;    ///< the true mass, 0 to 1e4
+    std::string name;   ///< unique; how Lua calls it
+    std::string noun;   ///< English noun as a child says it, e.g. "watermelon"
+    std::string model;  ///< name of a model, e.g. "apple" for assets/models/apple.glb
+    double radius_m = 0.05;
+    double mass_kg = 1.0;  ///< the true mass
     double exaggeration =
-        1.0;  ///< felt mass / true mass as the teacher sets it, before all are scaled to fit, 0 to 100
-    double drag_area_m2 = 0.0;  ///< 0 to 10
-    bool solid = false;         ///< can be touched as a mesh
-    bool movable = false;       ///< may fall, be caught and be held
-    bool visible = false;       ///< seen from the start, at `position_W`
+        1.0;  ///< felt mass / true mass as the teacher sets it, before all are scaled to fit
+    double drag_area_m2 = 0.0;
+    bool solid = false;    ///< can be touched as a mesh
+    bool movable = false;  ///< may fall, be caught and be held
+    bool visible = false;  ///< seen from the start, at `position_W`
     Vector3 position_W{Vector3::Zero()};
     SourceLine line = 0;
     std::int32_t material = kNoMaterial;      ///< index into LessonDescription::materials
@@ -138,7 +138,7 @@ struct BucketDescription {
     double opening_radius_m = 0.11;
     double depth_m = 0.14;
     int holds =
-        1;  ///< bodies at once, 1 to 8; felt weights are scaled so that this many fit under the force limit
+        1;  ///< bodies at once; felt weights are scaled so that this many fit under the force limit
     SourceLine line = 0;
 };
 
@@ -180,8 +180,8 @@ inline constexpr std::size_t kMostHands = 2;
 /// Where a hand works in the scene: the device's centre, and world metres a device metre.
 struct HandDescription {
     Vector3 centre_W{0.0, 0.3, 0.0};
-    double scale = 1.0;         ///< 0.01 to 100
-    double rate_hz = 1000.0;    ///< of the haptic loop, 1000 to 5000
+    double scale = 1.0;
+    double rate_hz = 1000.0;    ///< of the haptic loop
     bool lesson_force = false;  ///< hand:force(function …) was called
     SourceLine force_line = 0;
     /// What solid bodies are touched with; not given: what the scene needs.

@@ -19,15 +19,15 @@ struct KiteDescription {
     KiteFlightSettings flight{};  ///< its wind, gravity and ground are the lesson's, see below
     std::string cloth = "nylon";  ///< names of what it is made of
     std::string spar = "balsa";
-    double share = 1.0;          ///< felt newtons a newton of the line, 0.01 to 10
-    double seen_scale = 1.0;     ///< drawn so many times larger than it is, 1 to kMostKiteScale
+    double share = 1.0;          ///< felt newtons a newton of the line
+    double seen_scale = 1.0;     ///< drawn so many times larger than it is
     double elevation_rad = 0.7;  ///< of the line where it begins, and after each launch; 0 to 1.5
     std::int32_t line = 0;       ///< of lesson.lua
 };
 
 struct WindDescription {
-    double speed_m_per_s = 6.0;            ///< at 10 metres; 0 to kFastestWind_m_per_s
-    double gustiness = 0.0;                ///< 0 to 4
+    double speed_m_per_s = 6.0;  ///< at 10 metres
+    double gustiness = 0.0;
     double roughness_m = 0.03;             ///< of the ground
     Vector3 downwind_W{Vector3::UnitX()};  ///< unit, level
     std::int32_t line = 0;                 ///< of lesson.lua; 0: never declared

@@ -131,7 +131,7 @@ void add_forces(const LessonDescription& lesson, const WallHolders& holders, Pla
     const double scale = find_largest_scale(lesson);
     for (const ForceDescription& force : lesson.forces) {
         FieldPlan field = force.field;
-        if (field.kind == FieldKind::spring) {
+        if (field.stiffness_N_per_m > 0.0) {
             CouplingSettings in_hand{.stiffness_N_per_m = field.stiffness_N_per_m * scale,
                                      .damping_Ns_per_m = field.damping_Ns_per_m * scale};
             const CouplingSettings wanted = in_hand;

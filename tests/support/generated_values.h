@@ -198,12 +198,11 @@ class ValueWriter {
             return std::nullopt;
         }
         using Ends = std::optional<std::pair<double, double>>;
-        return name == "scale"                                                ? Ends({0.5, 1.5})
-               : name == "stiffness" && parameter.high == kMostSpring_N_per_m ? Ends({20.0, 400.0})
-               : name == "damping" && parameter.high == kMostFieldDamping_Ns_per_m
-                   ? Ends({2.0, 8.0})
-               : name == "force" && parameter.high == kMostMagnet_N ? Ends({0.5, 8.0})
-                                                                    : Ends{};
+        return name == "scale"                                   ? Ends({0.5, 1.5})
+               : name == "stiffness" && parameter.high == 2000.0 ? Ends({20.0, 400.0})
+               : name == "damping" && parameter.high == 50.0     ? Ends({2.0, 8.0})
+               : name == "force" && parameter.high == 10.0       ? Ends({0.5, 8.0})
+                                                                 : Ends{};
     }
 
     /// What the program told the lesson, of the type that is asked for: by the table of what can be read.

@@ -6,6 +6,7 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/math/spatial.h"
+#include "runtime/effect/field_list.h"
 #include "runtime/scene/lesson_limits.h"
 
 #include <array>
@@ -22,41 +23,6 @@ namespace fulcrum::runtime {
 
 struct LessonContext;
 struct LibraryModule;
-
-/// What a parameter may be in Lua.
-enum class ParameterType : std::uint8_t {
-    number,   ///< within [low, high]
-    integer,  ///< a whole number within [low, high]
-    flag,     ///< true or false
-    text,     ///< UTF-8, at most `high` bytes
-    name,     ///< a-z, 0-9, _ and -
-    vector,   ///< {x, y, z}, {x=, y=, z=} or anything with x, y, z; each within [low, high]
-    function,
-    texts,     ///< a list of texts
-    lists,     ///< a table: name -> list of texts
-    rules,     ///< a table: name -> text
-    values,    ///< a table: name -> number or boolean
-    choice,    ///< one of `choices`
-    record,    ///< a table of `fields`
-    material,  ///< what world:material gave, or the name of a material
-    boxes,     ///< a list of { at = {x, y, z}, size = {x, y, z} }
-};
-
-/// A default that says "this must be given".
-inline constexpr const char* kRequired = nullptr;
-
-struct Parameter {
-    const char* name = "";
-    ParameterType type = ParameterType::number;
-    const char* unit = "";  ///< "kilograms"; empty for a pure number or none
-    double low = 0.0;
-    double high = 0.0;
-    const char* fallback = kRequired;  ///< as Lua text, e.g. "0.05", "{0, 0, 0}", "nil"
-    const char* text = "";
-    const char* choices = "";           ///< of a choice: its names, a blank between two
-    const Parameter* fields = nullptr;  ///< of a record: `n_fields` of them
-    std::size_t n_fields = 0;
-};
 
 /// How a function is written in Lua.
 enum class CallShape : std::uint8_t {

@@ -1,7 +1,9 @@
 #include "runtime/lua/api/rigid_bodies.h"
 
 #include "haptics/dynamics/world_plan.h"
+#include "runtime/effect/body/body_fields.h"
 #include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/take_fields.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
@@ -13,53 +15,6 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kLeastMass_kg = 0.001;  // a lighter one is no thing that a hand could feel
-
-constexpr Parameter kJoint[] = {
-    {"kind", ParameterType::choice, "", 0, 0, kRequired,
-     "a hinge turns about its axis, a slider moves along it, a ball turns every way about its "
-     "place, a rod holds two places as far apart as they are, fixed is glued",
-     "hinge slider ball fixed rod"},
-    {"to", ParameterType::name, "", 0, 0, "nil",
-     "the name of a rigid body that was declared before; the world by default"},
-    {"at", ParameterType::vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "nil",
-     "where it is; of a rod its end on the other body; where the body is by default"},
-    {"end_at", ParameterType::vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "nil",
-     "of a rod: its end on this body; where the body is by default"},
-    {"axis", ParameterType::vector, "", -1, 1, "{0, 0, 1}",
-     "of a hinge or slider: {0, 0, 1} points at you, {0, 1, 0} stands upright"},
-    {"lowest", ParameterType::number, "degrees, metres of a slider", -kMostJointTravel, 0, "nil",
-     "it goes no further; no end by default"},
-    {"highest", ParameterType::number, "degrees, metres of a slider", 0, kMostJointTravel, "nil",
-     "it goes no further; no end by default"},
-    {"speed", ParameterType::number, "degrees or metres per second", -kMostJointTravel,
-     kMostJointTravel, "0", "of its motor"},
-    {"force", ParameterType::number, "newtons, newton metres of a hinge", 0, kMostJointForce, "0",
-     "that its motor has; 0 is no motor"},
-    {"friction", ParameterType::number, "newtons, newton metres of a hinge", 0, kMostJointForce,
-     "0", "what brakes it"}};
-
-constexpr Parameter kFeltShape{
-    "felt_shape",
-    ParameterType::choice,
-    "",
-    0,
-    0,
-    "nil",
-    "what the hand feels of that model, as large as it reaches: a ball, a box, a cylinder or "
-    "capsule about the axis across which it is roundest, all without facets, or its hull; by "
-    "default a ball is one, and others are as they are",
-    "box ball cylinder capsule hull mesh"};
-constexpr Parameter kShape{
-    "shape",
-    ParameterType::choice,
-    "",
-    0,
-    0,
-    "nil",
-    "what a rigid body, or a solid one among them, collides as; by default a box or a ball "
-    "as its model, else the hull of its model; mesh is the model itself with its hollows, "
-    "as of a ring or a bowl",
-    "box ball cylinder capsule hull mesh"};
 
 JointKind joint_kind_of(const std::string& name) {
     constexpr std::array<std::pair<std::string_view, JointKind>, 5> kKinds{
@@ -119,11 +74,11 @@ void check_joint(lua_State* lua, const LessonContext& context, const JointDescri
 JointDescription take_joint(lua_State* lua, const LessonContext& context,
                             const Arguments& arguments, const BodyDescription& body) {
     JointDescription joint;
+    take_fields(fields::kJoint, arguments, joint);
     joint.kind = joint_kind_of(arguments["kind"].text);
     joint.to = arguments["to"].given ? arguments["to"].text : "";
     joint.at_W = arguments["at"].given ? arguments["at"].vector : body.position_W;
     joint.other_at_W = arguments["end_at"].given ? arguments["end_at"].vector : body.position_W;
-    joint.axis_W = arguments["axis"].vector;
     const double unit = joint.kind == JointKind::hinge ? 1.0 / kDegrees : 1.0;
     if (arguments["lowest"].given) {
         joint.lowest = unit * arguments["lowest"].number;
@@ -132,8 +87,6 @@ JointDescription take_joint(lua_State* lua, const LessonContext& context,
         joint.highest = unit * arguments["highest"].number;
     }
     joint.speed = unit * arguments["speed"].number;
-    joint.force = arguments["force"].number;
-    joint.friction = arguments["friction"].number;
     check_joint(lua, context, joint, arguments, body);
     return joint;
 }
@@ -255,16 +208,6 @@ void refuse_rigid_fields(lua_State* lua, const Arguments& arguments, const BodyD
 
 }  // namespace
 
-std::span<const Parameter> joint_parameters() {
-    return kJoint;
-}
-const Parameter& felt_shape_parameter() {
-    return kFeltShape;
-}
-const Parameter& shape_parameter() {
-    return kShape;
-}
-
 void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& arguments,
                 BodyDescription& body) {
     take_models(lua, arguments, body);
@@ -295,7 +238,7 @@ void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& a
         }
         body.mass_kg = arguments["density"].number * find_volume_m3(lua, body);
     }
-    if (body.mass_kg < kLeastMass_kg || body.mass_kg > kMostBodyMass_kg) {
+    if (body.mass_kg < kLeastMass_kg || body.mass_kg > fields::kMostBodyMass_kg) {
         raise_in_lesson(lua, body.name + " is rigid and has a mass of " +
                                  std::to_string(body.mass_kg) + " kg; give it 0.001 to 10000");
     }

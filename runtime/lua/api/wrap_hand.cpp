@@ -1,6 +1,8 @@
 // The hand: where it works, what it touches with, and the lesson's own force on it.
+#include "runtime/effect/hand/hand_fields.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/take_fields.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
@@ -34,65 +36,6 @@ ProxyKind proxy_of(std::string_view name) {
                                      : ProxyKind::god_object;
 }
 
-// The tool that the hand may hold instead of a cursor.
-constexpr Parameter kTool[] = {
-    {"shape", ParameterType::choice, "", 0, 0, "cylinder", "what it is like; it stands upright",
-     "ball box capsule cylinder"},
-    {"model", ParameterType::name, "", 0, 48, "nil",
-     "a model instead, in its own size, held at its origin; sphere, box and the planets are as "
-     "large "
-     "as the radius says"},
-    {"radius", ParameterType::number, "metres", 0.001, 1, "0.02",
-     "of a ball, a capsule or a cylinder; a box is twice so wide and deep; other models have none"},
-    {"length", ParameterType::number, "metres", 0.002, 2, "0.1",
-     "from end to end, a capsule's round ends included; a ball and a model have none"},
-    {"mass", ParameterType::number, "kilograms", 0.005, 1, "0.02",
-     "as the hand feels it near a body; in free air nothing is felt; not with massless"},
-    {"stiffness", ParameterType::number, "newtons per metre", 50, 2000, "500",
-     "of the spring between hand and tool"},
-    {"turn_stiffness", ParameterType::number, "newton metres per radian", 0.001, 10, "nil",
-     "of the spring that turns it as the hand turns; by default as stiff at its far end as the "
-     "other "
-     "spring; what is felt of it is at most 0.3 newton metres, and less where the program is told "
-     "to "
-     "be gentler"},
-    {"voxel", ParameterType::number, "metres", 0.0001, 1, "nil",
-     "side of the cubes that bodies are made of for it; smaller follows their shape more closely "
-     "and takes more memory: at most 480 along a body and 64 million in all; fine enough for each "
-     "body by default, and for all together"},
-    {"points", ParameterType::integer, "", 100, 200000, "nil",
-     "on its surface; more follow it more closely and take more time; by default 2000, and for "
-     "voxel_sampling one a voxel of the tool, as far as a step has time for them: with fewer it "
-     "pushes sideways beside edges"},
-    {"method", ParameterType::choice, "", 0, 0, "field_sampling",
-     "how it is kept outside bodies, by the name of the method: points on it by the distance to "
-     "their surface, or by cubes that they are made of; or by planes that a few clusters of "
-     "contact lie on, which hold even where contact is found late (implicit_penalty); or all of "
-     "its triangles, which never get into theirs, however thin they are, and which alone feel the "
-     "friction and the texture of their materials (god_object: mass, points and voxel say nothing "
-     "then)",
-     "field_sampling voxel_sampling implicit_penalty god_object"},
-    {"massless", ParameterType::flag, "", 0, 0, "false",
-     "it has no mass of its own: nothing smooths what it meets"},
-    {"integrator", ParameterType::choice, "", 0, 0, "backward_euler",
-     "how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with "
-     "massless",
-     "explicit_euler semi_implicit_euler verlet runge_kutta_4 backward_euler"},
-    {"rounded", ParameterType::flag, "", 0, 0, "false",
-     "its facets are felt as one even surface, as far as creases of 30 degrees; for god_object"},
-    {"contact", ParameterType::choice, "", 0, 0, "fields",
-     "of implicit_penalty: how it is found where the tool is near a body: points on it by the "
-     "distance to the surface, or its triangles and theirs by levels of detail, as finely as can "
-     "be felt, which take some seconds to make the first time (levels: voxel and points say "
-     "nothing then)",
-     "fields levels"},
-    {"detail", ParameterType::number, "of the tool's size", 0, kMostDetail, "0.025",
-     "of contact = \"levels\": what may be felt as one; 0 is as fine as the meshes, and so is the "
-     "default beside a budget; nothing gets through, however coarse it is"},
-    {"budget", ParameterType::number, "microseconds", 20, 500, "nil",
-     "of contact = \"levels\": how long finding contacts may take in each step of a live run, as "
-     "finely as there is time, and no finer than the detail; half a step by default"}};
-
 CursorShape shape_of(std::string_view name, double radius_m, double length_m) {
     if (name == "ball") {
         return SphereShape{radius_m};
@@ -104,18 +47,6 @@ CursorShape shape_of(std::string_view name, double radius_m, double length_m) {
         return CapsuleShape{radius_m, 0.5 * length_m - radius_m};
     }
     return CylinderShape{radius_m, 0.5 * length_m};
-}
-
-Integrator integrator_of(std::string_view name) {
-    constexpr std::string_view kNames[] = {"explicit_euler", "semi_implicit_euler", "verlet",
-                                           "runge_kutta_4", "backward_euler"};
-    const auto* const found = std::ranges::find(kNames, name);
-    return kIntegrators[static_cast<std::size_t>(found - std::begin(kNames))];
-}
-
-ToolMethod method_of(std::string_view name) {
-    const auto* const found = std::ranges::find(kToolMethods, name);
-    return static_cast<ToolMethod>(found - kToolMethods.begin());
 }
 
 // What is said of a tool and would not be looked at is a mistake.
@@ -172,8 +103,8 @@ void check_tool_size(lua_State* lua, const Arguments& arguments) {
 ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
     check_tool_size(lua, arguments);
     ToolDescription tool;
+    take_fields(fields::kTool, arguments, tool);
     const double radius_m = arguments["radius"].number;
-    tool.model = arguments["model"].text;
     if (tool.model == kBoxModel) {
         tool.shape = BoxShape{Vector3::Constant(radius_m)};
     } else if (is_ball_model(tool.model)) {
@@ -183,21 +114,8 @@ ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
     } else {
         tool.shape = shape_of(arguments["shape"].text, radius_m, arguments["length"].number);
     }
-    tool.mass_kg = arguments["mass"].number;
-    tool.stiffness_N_per_m = arguments["stiffness"].number;
-    tool.turn_stiffness_Nm_per_rad =
-        arguments["turn_stiffness"].given ? arguments["turn_stiffness"].number : 0.0;
-    tool.voxel_m = arguments["voxel"].given ? arguments["voxel"].number : 0.0;
-    tool.points = arguments["points"].given ? static_cast<int>(arguments["points"].number) : 0;
-    tool.method = method_of(arguments["method"].text);
-    tool.massless = arguments["massless"].flag;
-    tool.integrator = integrator_of(arguments["integrator"].text);
-    tool.rounded = arguments["rounded"].flag;
-    tool.contact =
-        arguments["contact"].text == "levels" ? ContactFinding::levels : ContactFinding::fields;
-    tool.budget_us = arguments["budget"].given ? arguments["budget"].number : 0.0;
     const bool is_by_time = arguments["budget"].given && !arguments["detail"].given;
-    tool.detail = is_by_time ? 0.0 : arguments["detail"].number;
+    tool.detail = is_by_time ? 0.0 : tool.detail;
     return tool;
 }
 
@@ -226,11 +144,8 @@ void check_further_hand(lua_State* lua, const LessonContext& context, const Argu
 int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     check_further_hand(lua, context, arguments);
     HandDescription hand;
-    hand.centre_W = arguments["centre"].vector;
-    hand.scale = arguments["scale"].number;
-    hand.rate_hz = arguments["rate"].number;
+    take_fields(fields::kHand, arguments, hand);
     hand.cursor = cursor_of(arguments);
-    hand.needed = arguments["needed"].flag;
     if (arguments["proxy"].given) {
         hand.proxy = proxy_of(arguments["proxy"].text);
     }
@@ -310,37 +225,7 @@ int set_force_function(lua_State* lua, LessonContext& context, const Arguments& 
 void add_hand_api(ApiTable& table) {
     using enum ParameterType;
     table.functions.push_back(
-        {"world",
-         "hand",
-         CallShape::record,
-         CallTime::declaring,
-         {{"centre", vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "{0, 0.3, 0}",
-           "where the middle of the arm's reach lies"},
-          {"scale", number, "", kLeastHandScale, kMostHandScale, "1",
-           "metres in the scene for one metre of a hand that reaches 20 cm each way; one that "
-           "reaches less gets more"},
-          {"rate", number, "hertz", kLeastHandRate_Hz, kMostHandRate_Hz, "1000",
-           "how often forces are computed"},
-          {"proxy", choice, "", 0, 0, "nil",
-           "what solid bodies are touched with, by the name of its method; what the scene needs by "
-           "default: friction_cone where something has friction",
-           "god_object virtual_proxy friction_cone"},
-          {"cursor", choice, "", 0, 0, "point",
-           "the shape that touches; a ball is for virtual_proxy and friction_cone, the others for "
-           "friction_cone alone, and turn as the hand does, without a torque",
-           "point ball box capsule cylinder"},
-          {"cursor_size", number, "metres", 0.0005, 1, "0.005",
-           "its radius, or half its side; a capsule and a cylinder are so long to each side, "
-           "a capsule without its round ends"},
-          {"tool", record, "", 0, 0, "nil",
-           "what the hand holds instead of a cursor: a thing with a shape, felt with force and "
-           "torque, that stays outside solid bodies, at most 16 of them, without a material; where "
-           "the hand is pressed in, a pale ghost of it shows where the hand is; a hand that cannot "
-           "turn holds it upright; no bucket goes with it",
-           "", kTool, std::size(kTool)},
-          {"needed", flag, "", 0, 0, "false",
-           "of a second hand: without a device for it the lesson is not played"}},
-         "Hand",
+        {"world", "hand", CallShape::record, CallTime::declaring, rows_of(fields::kHand), "Hand",
          "Says where the hand works in the scene. With hands = 2 in lesson { … } a second call "
          "declares another hand, with a "
          "place, cursor and loop of its own: two fingers, or both hands of a learner. Where there "

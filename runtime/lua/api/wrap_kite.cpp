@@ -1,8 +1,10 @@
 // A kite on a line that the hand holds, and the wind that it flies in.
 #include "haptics/math/length.h"
+#include "runtime/effect/kite/kite_fields.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
+#include "runtime/lua/api/take_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,12 +53,12 @@ void check_design(lua_State* lua, const KiteSettings& design) {
 // What is given changes the kite; what is not stays, but for a bridle that was made for another height.
 void take_design(const Arguments& arguments, KiteDescription& kite) {
     KiteSettings& design = kite.flight.kite;
-    const auto take = [&](const char* name, double& value) {
-        value = arguments[name].given ? arguments[name].number : value;
-    };
+    if (arguments["height"].given) {
+        design.bridle_m = kBridleOfHeight * arguments["height"].number;
+        design.knot_m = kKnotOfHeight * arguments["height"].number;
+    }
     if (arguments["shape"].given) {
-        design.shape = find_kite_shape(arguments["shape"].text).value_or(design.shape);
-        design.width_m = design.shape == KiteShape::box ? kBoxWidth_m : KiteSettings{}.width_m;
+        design.width_m = arguments["shape"].text == "box" ? kBoxWidth_m : KiteSettings{}.width_m;
     }
     if (arguments["cloth"].given) {
         kite.cloth = arguments["cloth"].text;
@@ -66,18 +68,7 @@ void take_design(const Arguments& arguments, KiteDescription& kite) {
         kite.spar = arguments["spar"].text;
         design.spar_kg_per_m = find_kite_spar(kite.spar).value().weight;
     }
-    if (arguments["height"].given) {
-        design.height_m = arguments["height"].number;
-        design.bridle_m = kBridleOfHeight * design.height_m;
-        design.knot_m = kKnotOfHeight * design.height_m;
-    }
-    take("width", design.width_m);
-    take("bridle", design.bridle_m);
-    take("knot", design.knot_m);
-    take("tail", design.tail_m);
-    if (arguments["fold"].given) {
-        design.fold_rad = arguments["fold"].number / kDegrees;
-    }
+    take_fields(fields::kKiteDesign, arguments, design);
 }
 
 int add_kite(lua_State* lua, LessonContext& context, const Arguments& arguments) {
@@ -89,13 +80,7 @@ int add_kite(lua_State* lua, LessonContext& context, const Arguments& arguments)
     KiteDescription kite;
     take_design(arguments, kite);
     check_design(lua, kite.flight.kite);
-    kite.flight.line.length_m = arguments["line"].number;
-    kite.flight.line.strength_N = arguments["strength"].number;
-    kite.flight.line.stretch_N = arguments["stretch"].number;
-    kite.flight.line.segments = static_cast<int>(arguments["segments"].number);
-    kite.share = arguments["felt"].number;
-    kite.seen_scale = arguments["seen"].number;
-    kite.elevation_rad = arguments["elevation"].number / kDegrees;
+    take_fields(fields::kKiteLine, arguments, kite);
     kite.line = place_in_lesson(lua).line;
     context.description.kite = kite;
     context.kite = kite;
@@ -105,8 +90,7 @@ int add_kite(lua_State* lua, LessonContext& context, const Arguments& arguments)
 
 int set_wind(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     WindDescription& wind = context.description.wind;
-    wind.speed_m_per_s = arguments["speed"].number;
-    wind.gustiness = arguments["gusts"].number;
+    take_fields(fields::kWind, arguments, wind);
     const Vector3 towards = arguments["towards"].vector;
     const Vector3 level(towards.x(), 0.0, towards.z());
     if (compute_length(level) < 0.01) {
@@ -232,31 +216,6 @@ int get_snapped(lua_State* lua, LessonContext& context, std::int32_t /*index*/) 
     return 1;
 }
 
-// The same of a kite that is declared and of one that is changed.
-std::vector<Parameter> design_parameters() {
-    using enum ParameterType;
-    return {{"shape", choice, "", 0, 0, "nil", "a diamond at first", "diamond delta sled box"},
-            {"height", number, "metres", kLeastKite_m, kMostKite_m, "nil",
-             "from foot to top, 0.8 at first; bridle and knot are made for it"},
-            {"width", number, "metres", kLeastKite_m, kMostKite_m, "nil",
-             "unfolded, 0.75 at first, of a box 0.4"},
-            {"fold", number, "degrees", 0, 57, "nil",
-             "how far each half is bent back, 14 at first; a sled's keels outwards"},
-            {"cloth", choice, "", 0, 0, "nil",
-             "nylon at first; from the lightest: silk, tissue, plastic, cellophane, nylon, paper",
-             "plastic tissue nylon paper silk cellophane"},
-            {"spar", choice, "", 0, 0, "nil",
-             "balsa at first; skewers are a little lighter, birch and tube five times as heavy",
-             "balsa birch tube skewer"},
-            {"bridle", number, "metres", kLeastKite_m, kMostString_m, "nil",
-             "the string from the foot over the knot to the top; 1.25 times the height at first"},
-            {"knot", number, "metres", 0, kMostString_m, "nil",
-             "where on the bridle the line is tied, from the foot; 0.85 times the height at first. "
-             "Lower, the kite stands steeper in the wind"},
-            {"tail", number, "metres", 0, kMostString_m, "nil",
-             "how long it is; 2 at first, 0 for none"}};
-}
-
 void add_kite_properties(ApiTable& table) {
     const auto add = [&table](const char* name, const char* type, const char* unit,
                               const char* text,
@@ -303,48 +262,15 @@ void add_kite_properties(ApiTable& table) {
 
 void add_kite_api(ApiTable& table) {
     using enum ParameterType;
-    std::vector<Parameter> declared = design_parameters();
-    for (const Parameter& parameter :
-         {Parameter{"line", number, "metres", kShortestReel_m, kLongestReel_m, "20",
-                    "let out at first"},
-          Parameter{"strength", number, "newtons", kLeastLineStrength_N, kMostLine_N, "150",
-                    "the line breaks above it"},
-          Parameter{"stretch", number, "newtons", kLeastLineStretch_N, kMostLine_N, "500",
-                    "what would make the line twice as long; stretch / 5 times felt times the "
-                    "hand's scale at most 2000"},
-          Parameter{"segments", integer, "", 1, kMostLineSegments, "16",
-                    "pieces that the line is computed in"},
-          Parameter{"felt", number, "", kLeastKiteShare, kMostKiteShare, "1",
-                    "newtons in the hand for a newton of the line; where the site allows less than "
-                    "5 N, less in the same measure"},
-          Parameter{"seen", number, "", 1, kMostKiteScale, "1",
-                    "drawn so many times larger than it is, for it is far away"},
-          Parameter{"elevation", number, "degrees", 0, 85, "40",
-                    "how steeply the line rises when it is launched"}}) {
-        declared.push_back(parameter);
-    }
-    table.functions.push_back({"world", "kite", CallShape::record, CallTime::declaring, declared,
-                               "Kite",
+    table.functions.push_back({"world", "kite", CallShape::record, CallTime::declaring,
+                               rows_of(fields::kKiteDesign, fields::kKiteLine), "Kite",
                                "Declares a kite on a line that the hand holds. It flies from the "
                                "start. The reel is the mouse's wheel, or the hand's buttons: the "
                                "first lets line out, the second takes it in.",
                                &add_kite});
-    table.functions.push_back(
-        {"world",
-         "wind",
-         CallShape::record,
-         CallTime::declaring,
-         {{"speed", number, "metres per second", 0, kFastestWind_m_per_s, "6",
-           "10 metres above the ground; less below"},
-          {"gusts", number, "", 0, kMostGusts, "0",
-           "0 is a steady wind, 1 as it usually is, 4 wild"},
-          {"towards", vector, "", -1, 1, "{1, 0, 0}",
-           "the direction it blows to, along the ground"},
-          {"over", choice, "", 0, 0, "grass",
-           "what it comes over: the rougher, the less near the ground", "water grass bushes town"}},
-         "",
-         "Declares the wind for the kite.",
-         &set_wind});
+    table.functions.push_back({"world", "wind", CallShape::record, CallTime::declaring,
+                               rows_of(fields::kWind), "", "Declares the wind for the kite.",
+                               &set_wind});
     table.functions.push_back(
         {"world",
          "wind_speed",
@@ -356,7 +282,7 @@ void add_kite_api(ApiTable& table) {
          "Changes how fast the wind blows, at once; its direction and gusts stay.",
          &set_wind_speed});
     table.functions.push_back(
-        {"kite", "build", CallShape::record, CallTime::acting, design_parameters(), "",
+        {"kite", "build", CallShape::record, CallTime::acting, rows_of(fields::kKiteDesign), "",
          "Makes it anew with what is given changed, and launches it on as much line as before.",
          &build_kite});
     table.functions.push_back({"kite",

@@ -1,51 +1,19 @@
 // What bodies are made of: the program's own materials, and those that a lesson makes out of them or out of a picture.
 #include "haptics/surface/materials.h"
+#include "runtime/effect/surface/material_fields.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/materials.h"
+#include "runtime/lua/api/take_fields.h"
 
 #include <algorithm>
 
 namespace fulcrum::runtime {
 namespace {
 
-using enum ParameterType;
-
-constexpr Parameter kTexture[] = {
-    {"image", text, "", 0, 48, "nil",
-     "PNG or JPEG beside the lesson, such as \"felt.jpg\": dark is low, light is high"},
-    {"grooves", number, "metres", kLeastRelief_m, kWidestRelief_m, "nil",
-     "straight grooves instead, so far apart"},
-    {"bumps", number, "metres", kLeastRelief_m, kWidestRelief_m, "nil",
-     "random bumps instead, at most so wide"},
-    {"size", number, "metres", kLeastRelief_m, kWidestPicture_m, "0.05",
-     "width of the whole picture on the surface"},
-    {"height", number, "metres", 1e-7, kHighestRelief_m, "nil",
-     "from the deepest valley to the highest peak"},
-    {"strength", number, "", 0, kMostReliefGain, "nil",
-     "how strongly it is felt; 1 is as it is, 0 is smooth"},
-    {"law", choice, "", 0, 0, "nil",
-     "how it is felt: the surface leans against each slope, or pushes sideways, or is carved",
-     "perturbed_normal lateral height_offset"},
-};
-
-constexpr Parameter kTap[] = {
-    {"frequency", number, "hertz", 5, 1000, "nil", "of the ringing"},
-    {"time", number, "seconds", 0.0005, 0.2, "nil", "until it has died away to a third"},
-    {"strength", number, "newtons for each metre a second", 0, kMostTap_Ns_per_m, "nil",
-     "of the ringing"},
-};
-
 /// How much of the bumps' widest wave the narrowest has.
 constexpr double kNarrowBumps = 0.25;
 constexpr double kSlidingShare = 0.8;  // of the friction that holds, while it slides
-
-template <class Field>
-void take(const Argument& argument, Field& field) {
-    if (argument.given) {
-        field = argument.number;
-    }
-}
 
 void take_texture(lua_State* lua, const Arguments& given, MaterialDescription& material) {
     TextureSettings& texture = material.felt.texture;
@@ -72,23 +40,16 @@ void take_texture(lua_State* lua, const Arguments& given, MaterialDescription& m
         material.image.clear();
         const double widest_m = given["bumps"].number;
         texture.source =
-            NoiseTexture{std::max(kNarrowBumps * widest_m, kLeastRelief_m), widest_m, 1};
+            NoiseTexture{std::max(kNarrowBumps * widest_m, fields::kLeastRelief_m), widest_m, 1};
     } else if (!texture.any()) {
         raise_in_lesson(lua, "material.texture has no relief; give it image, grooves or bumps");
     }
-    take(given["height"], texture.height_m);
-    take(given["strength"], texture.gain);
-    if (given["law"].given) {
-        const std::vector<std::string> laws = choices_of(kTexture[6]);
-        texture.law = static_cast<TextureLaw>(
-            std::find(laws.begin(), laws.end(), given["law"].text) - laws.begin());
-    }
+    take_fields(fields::kTexture, given, texture);
 }
 
 void take_tap(const Arguments& given, TransientSettings& transient) {
     transient.kind = TransientKind::decaying_sinusoid;
-    take(given["frequency"], transient.frequency_Hz);
-    take(given["strength"], transient.force_Ns_per_m);
+    take_fields(fields::kTap, given, transient);
     if (given["time"].given) {
         transient.decay_per_s = 1.0 / given["time"].number;
     }
@@ -135,7 +96,11 @@ int make_material(lua_State* lua, LessonContext& context, const Arguments& argum
         material.look = found != made.end() ? found->look : like;
         material.image = found != made.end() ? found->image : std::string();
     }
-    material.felt.name = arguments["name"].text;
+    FrictionSettings& friction = material.felt.friction;
+    if (arguments["friction"].given) {
+        friction.dynamic_coefficient = kSlidingShare * arguments["friction"].number;
+    }
+    take_fields(fields::kMaterial, arguments, material.felt);
     material.line = place_in_lesson(lua).line;
     const auto& others = context.description.materials;
     if (std::ranges::any_of(others, [&](const MaterialDescription& other) {
@@ -144,14 +109,6 @@ int make_material(lua_State* lua, LessonContext& context, const Arguments& argum
         raise_in_lesson(lua, "there is already a material \"" + material.felt.name +
                                  "\"; give this one another name");
     }
-    take(arguments["stiffness"], material.felt.coupling.stiffness_N_per_m);
-    take(arguments["damping"], material.felt.coupling.damping_Ns_per_m);
-    FrictionSettings& friction = material.felt.friction;
-    if (arguments["friction"].given) {
-        friction.static_coefficient = arguments["friction"].number;
-        friction.dynamic_coefficient = kSlidingShare * friction.static_coefficient;
-    }
-    take(arguments["sliding_friction"], friction.dynamic_coefficient);
     if (friction.dynamic_coefficient > friction.static_coefficient) {
         raise_in_lesson(lua,
                         "material.sliding_friction is more than friction; what slides is never "
@@ -277,25 +234,7 @@ std::int32_t find_or_add_material(lua_State* lua, LessonContext& context, const 
 
 void add_material_api(ApiTable& table) {
     table.functions.push_back(
-        {"world",
-         "material",
-         CallShape::record,
-         CallTime::declaring,
-         {{"name", name, "", 0, 0, kRequired, "unique; what it is called"},
-          {"like", name, "", 0, 0, "nil",
-           "a material that it begins as, see Materials; what is not said here is that one's"},
-          {"stiffness", number, "newtons per metre", 10, 5000, "nil",
-           "of its spring; a cushion is about 100, and an arm holds some 500 to 1000; what it "
-           "can't hold is felt softer or refused"},
-          {"damping", number, "newton seconds per metre", 0, 50, "nil", "how much it swallows"},
-          {"friction", number, "", 0, kMostFriction, "nil",
-           "what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, "
-           "rubber 1"},
-          {"sliding_friction", number, "", 0, kMostFriction, "nil",
-           "the same while it slides; 0.8 of friction by default"},
-          {"texture", record, "", 0, 0, "nil", "its relief", "", kTexture, std::size(kTexture)},
-          {"tap", record, "", 0, 0, "nil", "how it rings when it is tapped", "", kTap,
-           std::size(kTap)}},
+        {"world", "material", CallShape::record, CallTime::declaring, rows_of(fields::kMaterial),
          "Material",
          "Makes a material for bodies: out of another one, out of numbers, or out of a picture.",
          &make_material});

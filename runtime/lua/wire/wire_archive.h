@@ -32,7 +32,8 @@ class Writer {
         out_.resize(at + sizeof(T));
         std::memcpy(out_.data() + at, &value, sizeof(T));
     }
-    void number(const char* /*what*/, const double& value, double /*low*/, double /*high*/) {
+    void number(const char* /*what*/, const double& value, double /*low*/, double /*high*/,
+                double /*or_this*/ = 0.0) {
         raw(value);
     }
     template <class Integer>
@@ -89,8 +90,12 @@ class Reader {
         return failed() ? T{} : value;
     }
     void number(const char* what, double& value, double low, double high) {
+        number(what, value, low, high, low);
+    }
+    /// Within its range, or that one value besides.
+    void number(const char* what, double& value, double low, double high, double or_this) {
         value = raw<double>(what);
-        if (!(value >= low && value <= high)) {  // a NaN is neither
+        if (!(value >= low && value <= high) && value != or_this) {  // a NaN is neither
             refuse(what, "is out of its range");
             value = low;
         }

@@ -1,23 +1,18 @@
 // Layout and limits of what is said of a kite: its description, how it flies, what the lesson does with it.
 #pragma once
 
+#include "runtime/effect/kite/kite_fields.h"
+#include "runtime/lua/wire/wire_fields.h"
 #include "runtime/lua/wire/wire_surface.h"
-#include "runtime/scene/kite_description.h"
 
 namespace fulcrum::runtime::wire {
 
 /// What it is; whether its bridle makes a triangle is `validate`'s to say.
 template <class Archive, class Design>
 void kite_design(Archive& a, Design& k) {
-    a.choice("a kite's shape", k.shape, KiteShape::box);
-    a.number("a kite's height", k.height_m, kLeastKite_m, kMostKite_m);
-    a.number("a kite's width", k.width_m, kLeastKite_m, kMostKite_m);
-    a.number("a kite's fold", k.fold_rad, 0.0, 1.0);
+    fields(a, "a kite", fields::kKiteDesign, k);
     a.number("a kite's cloth", k.cloth_kg_per_m2, 1.0e-3, 2.0);
     a.number("a kite's spars", k.spar_kg_per_m, 1.0e-4, 1.0);
-    a.number("a kite's bridle", k.bridle_m, kLeastKite_m, kMostString_m);
-    a.number("a kite's knot", k.knot_m, 0.0, kMostString_m);
-    a.number("a kite's tail", k.tail_m, 0.0, kMostString_m);
     a.number("a tail's mass", k.tail_kg_per_m, 0.0, 0.1);
     a.number("a tail's drag", k.tail_drag_m2_per_m, 0.0, 1.0);
     a.choice("the law of a kite's plates", k.law, PlateLaw::thin_plate);
@@ -31,32 +26,25 @@ void kite_design(Archive& a, Design& k) {
 
 template <class Archive, class Line>
 void kite_line(Archive& a, Line& l) {
-    a.number("a line's length", l.length_m, kShortestReel_m, kLongestReel_m);
-    a.integer("a line's segments", l.segments, 1, kMostLineSegments);
     a.number("a line's mass", l.mass_kg_per_m, 1.0e-5, 0.1);
-    a.number("a line's stretch", l.stretch_N, kLeastLineStretch_N, kMostLine_N);
     a.number("a line's damping", l.damping_s, 0.0, 1.0);
     a.number("a line's thickness", l.diameter_m, 0.0, 0.02);
     a.number("a line's drag", l.drag_coefficient, 0.0, 2.0);
-    a.number("a line's strength", l.strength_N, kLeastLineStrength_N, kMostLine_N);
 }
 
 template <class Archive, class Described>
 void kite(Archive& a, Described& k) {
     kite_design(a, k.flight.kite);
     kite_line(a, k.flight.line);
+    fields(a, "a kite", fields::kKiteLine, k);
     a.name("a kite's cloth", k.cloth);
     a.name("a kite's spar", k.spar);
-    a.number("what is felt of a kite", k.share, kLeastKiteShare, kMostKiteShare);
-    a.number("how large a kite is seen", k.seen_scale, 1.0, kMostKiteScale);
-    a.number("a line's elevation", k.elevation_rad, 0.0, 1.5);
     a.integer("a line", k.line, 0, kMaxLine);
 }
 
 template <class Archive, class Wind>
 void wind(Archive& a, Wind& w) {
-    a.number("the wind", w.speed_m_per_s, 0.0, kFastestWind_m_per_s);
-    a.number("the gusts", w.gustiness, 0.0, kMostGusts);
+    fields(a, "the wind", fields::kWind, w);
     a.number("the ground's roughness", w.roughness_m, 1.0e-5, 5.0);
     vector(a, "the wind's direction", w.downwind_W, 1.0);
     a.integer("a line", w.line, 0, kMaxLine);

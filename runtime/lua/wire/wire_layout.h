@@ -2,7 +2,11 @@
 // for writer and reader.
 #pragma once
 
+#include "runtime/effect/catch/bucket_fields.h"
+#include "runtime/effect/field/field_fields.h"
+#include "runtime/effect/scene/scene_fields.h"
 #include "runtime/lua/wire/wire_archive.h"
+#include "runtime/lua/wire/wire_fields.h"
 #include "runtime/lua/wire/wire_kite.h"
 #include "runtime/lua/wire/wire_questions.h"
 #include "runtime/lua/wire/wire_surface.h"
@@ -18,17 +22,7 @@ namespace fulcrum::runtime::wire {
 
 template <class Archive, class Body>
 void body(Archive& a, Body& b) {
-    a.name("a body's name", b.name);
-    a.text("a body's noun", b.noun, kMostNounBytes);
-    a.name("a body's model", b.model);
-    a.number("a body's radius", b.radius_m, kLeastRadius_m, kMostRadius_m);
-    a.number("a body's mass", b.mass_kg, 0.0, kMostBodyMass_kg);
-    a.number("a body's exaggeration", b.exaggeration, 0.0, kMostExaggeration);
-    a.number("a body's drag area", b.drag_area_m2, 0.0, kMostDragArea_m2);
-    a.flag("solid", b.solid);
-    a.flag("movable", b.movable);
-    a.flag("visible", b.visible);
-    vector(a, "a body's position", b.position_W, kMaxCoordinate_m);
+    fields(a, "a body", fields::kBody, b);
     a.integer("a line", b.line, 0, kMaxLine);
     a.integer("a body's material", b.material, kNoMaterial, kMaxMaterials - 1);
     optional(a, "a hinge", b.hinge, [](auto& each, auto& h) { hinge(each, h); });
@@ -36,24 +30,23 @@ void body(Archive& a, Body& b) {
     for (int i = 0; i < 3; ++i) {
         a.number("a body's size", b.size_m[i], 0.0, kMostEdge_m);
     }
-    a.text("what is said of a body", b.about, kMostAboutBytes);
     boxes(a, b.boxes);
     a.name("what is felt of a body", b.felt_model);
     a.name("what is simulated of a body", b.simulated_model);
     a.choice("what a body is felt as", b.felt_as, BodyShape::mesh);
     a.choice("what a body collides as", b.collides_as, BodyShape::mesh);
-    a.flag("rounded", b.rounded);
 }
 
 template <class Archive, class Force>
 void force(Archive& a, Force& f) {
     a.name("a force's name", f.name);
-    a.choice("a force's kind", f.field.kind, FieldKind::magnet);
-    vector(a, "a force's anchor", f.field.anchor_W, kMaxCoordinate_m);
-    a.number("a force's stiffness", f.field.stiffness_N_per_m, 0.0, kMostSpring_N_per_m);
-    a.number("a force's damping", f.field.damping_Ns_per_m, 0.0, kMostFieldDamping_Ns_per_m);
-    a.number("a force's peak", f.field.peak_force_N, 0.0, kMostMagnet_N);
-    a.number("a force's range", f.field.range_m, kLeastMagnetRange_m, kMostMagnetRange_m);
+    a.choice("a force's kind", f.field.kind,
+             static_cast<FieldKind>(std::tuple_size_v<decltype(fields::kForces)> - 1));
+    fields::for_each_force([&](const auto& force) {
+        if (force.kind == f.field.kind) {
+            fields(a, std::string("a ") + force.name, force.list, f.field);
+        }
+    });
     a.integer("a line", f.line, 0, kMaxLine);
 }
 
@@ -70,23 +63,18 @@ void description(Archive& a, Description& d) {
     ladder(a, d.feedback);
     a.integer("the tries", d.tries, 1, kMostTries);
     a.number("the sureness", d.sureness, 0.0, 1.0);
-    vector(a, "gravity", d.gravity_W, kMostGravity_m_per_s2);
-    a.number("the ground", d.ground_height_m, -kFarthestGround_m, kFarthestGround_m);
+    fields(a, "the scene", fields::kGravity, d);
+    fields(a, "the ground", fields::kGround, d);
     a.list("materials", d.materials, kMaxMaterials, [](auto& each, auto& m) { material(each, m); });
     a.list("bodies", d.bodies, static_cast<std::size_t>(kMaxBodies),
            [](auto& each, auto& b) { body(each, b); });
     a.list("forces", d.forces, static_cast<std::size_t>(kMaxFields),
            [](auto& each, auto& f) { force(each, f); });
     a.flag("a bucket", d.bucket.present);
-    a.name("the bucket's model", d.bucket.model);
-    a.number("the bucket's radius", d.bucket.opening_radius_m, kLeastRadius_m, kMostRadius_m);
-    a.number("the bucket's depth", d.bucket.depth_m, kLeastRadius_m, kMostRadius_m);
-    a.integer("what the bucket holds", d.bucket.holds, 1, kMostHeld);
+    fields(a, "the bucket", fields::kBucket, d.bucket);
     a.integer("a line", d.bucket.line, 0, kMaxLine);
     a.flag("space", d.in_space);
-    vector(a, "the camera's eye", d.camera.eye_W, kMaxCoordinate_m);
-    vector(a, "the camera's target", d.camera.target_W, kMaxCoordinate_m);
-    a.number("the camera's angle", d.camera.vertical_angle_deg, kLeastView_deg, kMostView_deg);
+    fields(a, "the camera", fields::kCamera, d.camera);
     hand(a, d.hand);
     a.list("more hands", d.more_hands, kMostHands - 1, [](auto& each, auto& h) { hand(each, h); });
     optional(a, "a kite", d.kite, [](auto& each, auto& k) { kite(each, k); });

@@ -3,6 +3,8 @@
 // Thread: any. Cost: one pass over a text.
 #pragma once
 
+#include "runtime/scene/lesson_limits.h"
+
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -18,7 +20,6 @@ inline constexpr std::size_t kMaxCommands = 256;    ///< in one reply
 inline constexpr std::size_t kMaxEvents = 1024;     ///< in one frame
 inline constexpr std::size_t kMaxQuestions = 200;
 inline constexpr std::size_t kMaxListItems = 200;  ///< answers, list words, test lines, slots
-inline constexpr double kMaxCoordinate_m = 1e4;
 inline constexpr double kMaxSpeed_m_per_s = 1e3;
 /// What the program tells of the scene is within this, whatever unit it has: a tool at the edge of a scene is beyond what a lesson may say,
 /// and a body that has fallen for long. What a lesson says back of it is within it too.

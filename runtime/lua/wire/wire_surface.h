@@ -1,7 +1,11 @@
 // Layout and limits of what a description says of surfaces and of what touches them.
 #pragma once
 
+#include "runtime/effect/body/body_fields.h"
+#include "runtime/effect/hand/hand_fields.h"
+#include "runtime/effect/surface/material_fields.h"
 #include "runtime/lua/wire/wire_archive.h"
+#include "runtime/lua/wire/wire_fields.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/shape_models.h"
 
@@ -15,38 +19,35 @@ template <class Archive, class Source>
 void texture_source(Archive& a, Source& s) {
     using Kind = std::remove_cvref_t<Source>;
     if constexpr (std::is_same_v<Kind, ImageTexture>) {
-        a.number("a picture's width", s.tile_u_m, kLeastRelief_m, kWidestPicture_m);
-        a.number("a picture's height", s.tile_v_m, kLeastRelief_m, kWidestPicture_m);
+        a.number("a picture's width", s.tile_u_m, fields::kLeastRelief_m, fields::kWidestPicture_m);
+        a.number("a picture's height", s.tile_v_m, fields::kLeastRelief_m,
+                 fields::kWidestPicture_m);
     } else if constexpr (std::is_same_v<Kind, SineTexture>) {
-        a.number("the grooves' distance", s.wavelength_m, kLeastRelief_m, kWidestRelief_m);
+        a.number("the grooves' distance", s.wavelength_m, fields::kLeastRelief_m,
+                 fields::kWidestRelief_m);
         a.number("the grooves' direction", s.direction_rad, -100.0, 100.0);
     } else if constexpr (std::is_same_v<Kind, NoiseTexture>) {
-        a.number("the bumps' least width", s.shortest_m, kLeastRelief_m, kWidestRelief_m);
-        a.number("the bumps' most width", s.longest_m, kLeastRelief_m, kWidestRelief_m);
+        a.number("the bumps' least width", s.shortest_m, fields::kLeastRelief_m,
+                 fields::kWidestRelief_m);
+        a.number("the bumps' most width", s.longest_m, fields::kLeastRelief_m,
+                 fields::kWidestRelief_m);
         a.integer("the bumps' seed", s.seed, 0, UINT32_MAX);
     }
 }
 
 template <class Archive, class Felt>
 void felt(Archive& a, Felt& m) {
-    a.name("a material's name", m.name);
-    a.number("a material's stiffness", m.coupling.stiffness_N_per_m, 0.0, 1e5);
-    a.number("a material's damping", m.coupling.damping_Ns_per_m, 0.0, 1e3);
+    fields(a, "a material", fields::kMaterial, m);
     a.number("a material's linear range", m.coupling.linear_range_m, 0.0, 1e3);
     a.number("a material's saturation", m.coupling.saturation_range_m, 0.0, 1e3);
     a.number("a material's largest force", m.coupling.saturation_force_N, 0.0, 1e3);
-    a.number("a material's friction", m.friction.static_coefficient, 0.0, kMostFriction);
-    a.number("a material's sliding friction", m.friction.dynamic_coefficient, 0.0, kMostFriction);
     a.number("a material's drag", m.friction.viscous_Ns_per_m, 0.0, 100.0);
     a.one_of("a texture", m.texture.source,
              [](auto& archive, auto& alternative) { texture_source(archive, alternative); });
-    a.choice("a texture's law", m.texture.law, TextureLaw::height_offset);
-    a.number("a texture's height", m.texture.height_m, 0.0, kHighestRelief_m);
-    a.number("a texture's strength", m.texture.gain, 0.0, kMostReliefGain);
+    fields(a, "a texture", fields::kTexture, m.texture);
     a.choice("a tap", m.transient.kind, TransientKind::acceleration_matching);
-    a.number("a tap's force", m.transient.force_Ns_per_m, 0.0, kMostTap_Ns_per_m);
+    fields(a, "a tap", fields::kTap, m.transient);
     a.number("a tap's acceleration", m.transient.acceleration_per_s, 0.0, 1e4);
-    a.number("a tap's frequency", m.transient.frequency_Hz, 0.0, 1e4);
     a.number("a tap's decay", m.transient.decay_per_s, 0.0, 1e4);
     a.number("a tap's length", m.transient.pulse_s, 0.0, 1.0);
     a.number("a tap's largest force", m.transient.max_force_N, 0.0, 10.0);
@@ -82,15 +83,10 @@ void optional(Archive& a, const char* what, Optional& value, const Each& each) {
 
 template <class Archive, class Hinge>
 void hinge(Archive& a, Hinge& h) {
-    vector(a, "a hinge's axis", h.axis_W, 1.0);
+    fields(a, "a hinge", fields::kHinge, h);
     vector(a, "a hinge's place", h.pivot_B, kFarthestOnAxle_m);
-    a.number("a hinge's inertia", h.inertia_kg_m2, kLeastAxleInertia_kg_m2, kMostAxleInertia_kg_m2);
     a.number("a hinge's mass", h.mass_kg, 0.0, kMostAxleMass_kg);
     vector(a, "a hinge's centre of mass", h.centre_B, kFarthestOnAxle_m);
-    a.number("a hinge's friction", h.friction_Nm, 0.0, kMostAxleFriction_Nm);
-    a.number("a hinge's lowest angle", h.lowest_rad, -kAnyAngle_rad, kAnyAngle_rad);
-    a.number("a hinge's highest angle", h.highest_rad, -kAnyAngle_rad, kAnyAngle_rad);
-    a.number("a hinge's load", h.load_N, 0.0, kMostAxleLoad_N);
     vector(a, "where a load hangs", h.load_B, kFarthestOnAxle_m);
 }
 
@@ -100,12 +96,10 @@ void joint(Archive& a, Joint& j) {
     a.name("what a joint holds on to", j.to);
     vector(a, "a joint's place", j.at_W, kMaxCoordinate_m);
     vector(a, "a rod's end", j.other_at_W, kMaxCoordinate_m);
-    vector(a, "a joint's axis", j.axis_W, 1.0);
+    fields(a, "a joint", fields::kJoint, j);
     a.number("a joint's lowest", j.lowest, -kAnyTravel, 0.0);
     a.number("a joint's highest", j.highest, 0.0, kAnyTravel);
-    a.number("a joint's speed", j.speed, -kMostJointTravel, kMostJointTravel);
-    a.number("a joint's force", j.force, 0.0, kMostJointForce);
-    a.number("a joint's friction", j.friction, 0.0, kMostJointForce);
+    a.number("a joint's speed", j.speed, -fields::kMostJointTravel, fields::kMostJointTravel);
 }
 
 template <class Archive, class Rigid>
@@ -149,19 +143,7 @@ template <class Archive, class Tool>
 void tool(Archive& a, Tool& t) {
     a.one_of("the tool's shape", t.shape,
              [](auto& archive, auto& shape) { cursor(archive, shape); });
-    a.name("the tool's model", t.model);
-    a.number("the tool's mass", t.mass_kg, 1e-3, 10.0);
-    a.number("the tool's stiffness", t.stiffness_N_per_m, 1.0, 1e4);
-    a.number("the tool's stiffness of turn", t.turn_stiffness_Nm_per_rad, 0.0, 100.0);
-    a.number("the tool's voxels", t.voxel_m, 0.0, 1.0);
-    a.integer("the tool's points", t.points, 0, 1'000'000);
-    a.choice("the tool's method", t.method, ToolMethod::god_object);
-    a.flag("a massless tool", t.massless);
-    a.choice("the tool's integrator", t.integrator, Integrator::backward_euler);
-    a.flag("rounded", t.rounded);
-    a.choice("how the tool's contacts are found", t.contact, ContactFinding::levels);
-    a.number("the tool's detail", t.detail, 0.0, kMostDetail);
-    a.number("the tool's budget", t.budget_us, 0.0, 1000.0);
+    fields(a, "the tool", fields::kTool, t);
     if constexpr (Archive::kReads) {
         const bool has_shape = !std::holds_alternative<std::monostate>(t.shape);
         if (has_shape != (t.model.empty() || is_shape_model(t.model))) {
@@ -187,13 +169,10 @@ void proxy(Archive& a, Hand& h) {
 
 template <class Archive, class Hand>
 void hand(Archive& a, Hand& h) {
-    vector(a, "the hand's centre", h.centre_W, kMaxCoordinate_m);
-    a.number("the hand's scale", h.scale, kLeastHandScale, kMostHandScale);
-    a.number("the hand's rate", h.rate_hz, kLeastHandRate_Hz, kMostHandRate_Hz);
+    fields(a, "the hand", fields::kHand, h);
     a.flag("a lesson force", h.lesson_force);
     a.integer("a line", h.force_line, 0, kMaxLine);
     proxy(a, h);
-    a.flag("a hand is needed", h.needed);
 }
 
 }  // namespace fulcrum::runtime::wire

@@ -22,7 +22,8 @@ class TextWriter {
   public:
     static constexpr bool kReads = false;
 
-    void number(const char* what, const double& value, double /*low*/, double /*high*/) {
+    void number(const char* what, const double& value, double /*low*/, double /*high*/,
+                double /*or_this*/ = 0.0) {
         char text[32];
         std::snprintf(text, sizeof text, "%.14g", value + 0.0);
         put(what, text);
