@@ -16,7 +16,7 @@ set(haptics_load_path
     record_hand.cpp stand_in_device_build.cpp recorded_traits.cpp record_layout.cpp record_reader.cpp record_writer.cpp
     friction.cpp texture_settings.cpp transient_settings.cpp surface_plan.cpp material.cpp materials.cpp relief.cpp
     texture_map_build.cpp texture_build.cpp shading_build.cpp contact_stage_build.cpp texture_stage_build.cpp
-    transient_stage_build.cpp surface_effects_build.cpp sha256.cpp shape_bytes.cpp distance_field_bytes.cpp
+    transient_stage_build.cpp surface_effects_build.cpp sha256.cpp shape_key.cpp shape_bytes.cpp distance_field_bytes.cpp
     distance_band.cpp brick_sides.cpp brick_triangles.cpp shape_fit.cpp wall_thickness.cpp distance_field_build.cpp
     distance_field_settings.cpp shell_tree.cpp field_sampling_build.cpp field_load_build.cpp field_contacts_build.cpp
     contact_loop_build.cpp implicit_penalty_build.cpp god_object_tool_build.cpp god_motion_build.cpp god_shading_build.cpp god_texture_build.cpp

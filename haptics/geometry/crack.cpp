@@ -1,6 +1,5 @@
 #include "haptics/geometry/crack.h"
 
-#include "haptics/geometry/mesh_edges.h"
 #include "haptics/geometry/near_points.h"
 #include "haptics/math/length.h"
 

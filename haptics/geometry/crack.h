@@ -10,7 +10,8 @@
 // Thread: load. Cost: O(triangles); open edges that crowd within the tolerance look at kMostNear others each.
 #pragma once
 
-#include "haptics/geometry/triangle_mesh.h"
+#include "haptics/geometry/mesh_edges.h"
+#include "haptics/math/spatial.h"
 
 #include <cstdint>
 #include <span>

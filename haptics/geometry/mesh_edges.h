@@ -1,15 +1,18 @@
-// The edges of a mesh, each as often as triangles have it, those of one pair of vertices side by side.
+// The triangles of a mesh by their corners, and its edges, each as often as triangles have it, those of one pair of vertices side by side.
 //
 // Thread: load. Cost: O(triangles).
 #pragma once
 
-#include "haptics/geometry/triangle_mesh.h"
-
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace fulcrum {
+
+/// Indices of a triangle's corners; seen from its front they run counter-clockwise.
+using TriangleCorners = std::array<std::int32_t, 3>;
 
 /// One side of one triangle.
 struct MeshEdge {

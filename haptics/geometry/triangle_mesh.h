@@ -5,17 +5,14 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/geometry/mesh_edges.h"
 #include "haptics/math/spatial.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace fulcrum {
-
-/// Indices of a triangle's corners; seen from its front they run counter-clockwise.
-using TriangleCorners = std::array<std::int32_t, 3>;
 
 struct MeshBuildSettings {
     /// Vertices nearer than this times the mesh's diagonal become one; 0 leaves all as they are, cracks

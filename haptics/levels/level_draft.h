@@ -3,7 +3,7 @@
 // Thread: load. Cost: a hull by quickhull, a GJK a corner that is measured.
 #pragma once
 
-#include "haptics/levels/contact_levels.h"
+#include "haptics/levels/level_node.h"
 #include "haptics/levels/level_surface.h"
 #include "haptics/levels/surface_measures.h"
 

@@ -11,10 +11,12 @@
 
 namespace fulcrum {
 
+using Bytes = std::vector<std::byte>;
+
 /// At the end of what is there.
 class ByteWriter {
   public:
-    explicit ByteWriter(std::vector<std::byte>& bytes) noexcept : bytes_(bytes) {}
+    explicit ByteWriter(Bytes& bytes) noexcept : bytes_(bytes) {}
     template <class T>
     void field(const T& value) {
         array(std::span<const T>(&value, 1));
@@ -27,7 +29,7 @@ class ByteWriter {
     }
 
   private:
-    std::vector<std::byte>& bytes_;
+    Bytes& bytes_;
 };
 
 /// Writes nothing, counts it.

@@ -1,4 +1,5 @@
 // The distance field's half of shape_bytes.h.
+#include "haptics/voxel/shape_bytes.h"
 #include "haptics/voxel/shape_seal.h"
 
 #include <algorithm>

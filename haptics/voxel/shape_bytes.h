@@ -2,7 +2,7 @@
 // back, checked.
 //
 //   bytes    mark (8) · version · kind (4 each) · key (32) · length (8) · that many bytes · SHA-256 of all before (32)
-//   key      SHA-256 over version, kind, the mesh's corners and triangles, and all settings as doubles
+//   key      of shape_key.h
 // Numbers are little-endian. What is read is believed in nothing: mark, version, kind, key, length and checksum must be right, and
 // then every number within the range that the makers give it, so that no question to what was read can reach beyond it: nothing
 // farther than the block is long, slopes from 1 to sqrt(3), where a hole is closed by a membrane to 2 sqrt(3) b / s, normals of unit
@@ -12,35 +12,17 @@
 // Thread: load. Cost: 4 to 5 ns a byte, most of it the checksum: a field of 512^3, 43 MB, 0.2 s.
 #pragma once
 
-#include "haptics/base/sha256.h"
 #include "haptics/geometry/solid_moments.h"
+#include "haptics/voxel/byte_walk.h"
 #include "haptics/voxel/distance_field.h"
 #include "haptics/voxel/pointshell.h"
+#include "haptics/voxel/shape_key.h"
 #include "haptics/voxel/voxel_grid.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 namespace fulcrum {
-
-using Bytes = std::vector<std::byte>;
-
-/// Goes up with every change of the layout, or of what a maker makes of the same settings.
-inline constexpr std::uint32_t kShapeVersion = 3;
-
-enum class ShapeKind : std::uint32_t {
-    distance_field = 1,
-    voxel_grid = 2,
-    pointshell = 3,
-    solid_moments = 4,
-    contact_levels = 5  ///< levels/level_bytes.h
-};
-
-/// What a shape is made of: the same mesh and settings have the same key.
-[[nodiscard]] Digest compute_shape_key(ShapeKind kind, const TriangleMesh& mesh,
-                                       std::span<const double> settings);
 
 /// How many bytes `encode` makes of it.
 [[nodiscard]] std::size_t count_bytes(const DistanceField& field);

@@ -7,7 +7,8 @@
 #pragma once
 
 #include "haptics/voxel/byte_walk.h"
-#include "haptics/voxel/shape_bytes.h"
+#include "haptics/voxel/shape_key.h"
+#include "haptics/voxel/voxel_frame.h"
 
 #include <algorithm>
 #include <array>

@@ -23,10 +23,8 @@ BEGIN {
     still("haptics/constraint/contact_solver haptics/constraint/dantzig_solver")
     still("haptics/constraint/iterative_solver haptics/constraint/newton_solver")
     still("haptics/constraint/set_solver haptics/dynamics/integrator haptics/dynamics/integrator_steps")
-    still("haptics/geometry/crack haptics/geometry/mesh_edges haptics/geometry/triangle_mesh")
-    still("haptics/levels/contact_levels haptics/levels/level_draft haptics/record/record")
-    still("haptics/record/record_header haptics/record/record_layout haptics/record/record_told")
-    still("haptics/record/told_layout haptics/voxel/shape_bytes haptics/voxel/shape_seal")
+    still("haptics/record/record haptics/record/record_header haptics/record/record_layout")
+    still("haptics/record/record_told haptics/record/told_layout")
 }
 function order(name, rooms,    list, n, i) {
     n = split(rooms, list, " ")
