@@ -21,7 +21,7 @@ set(haptics_load_path
     distance_field_settings.cpp shell_tree.cpp field_sampling_build.cpp field_load_build.cpp field_contacts_build.cpp
     contact_loop_build.cpp implicit_penalty_build.cpp god_object_tool_build.cpp god_motion_build.cpp god_shading_build.cpp god_texture_build.cpp
     god_surface.cpp kite.cpp wind_settings.cpp line_build.cpp kite_flight_build.cpp line_feel_settings.cpp
-    kite_loop_build.cpp kite_swap_build.cpp contact_solver_settings.cpp least_constraint_build.cpp
+    kite_loop_build.cpp kite_swap_build.cpp contact_method.cpp contact_solver_build.cpp least_constraint_build.cpp
     friction_constraint_build.cpp swept_mesh.cpp link_device_build.cpp arm_server_build.cpp
     link_faults.cpp spoiled_arm.cpp # never between a program and an arm but for trying
     beside_thread.cpp realtime_thread.cpp) # the thread itself waits between the steps

@@ -1,22 +1,11 @@
-// Where two convex bodies touch: a normal and up to four points, which stay the same points from step to step.
+// What is known of where two bodies touch from step to step: a normal and up to four points, which stay the same points.
 //
-//   gap = height of the upper body over the lower along n at a place; below 0 they overlap. n from the second to the first
-// The direction comes of contact_axis.h, the points of contact_shadow.h: the corners of what both bodies' features share, of which those
-// within the margin count. Of more than four, four are kept that span the largest area, the deepest among them. A point's place lies half
-// way between both surfaces.
-//
-// What was there last time is kept where it can be. A point is the same as an old one, and has its id, where it lies within
-// `kSamePlace` of the smaller body's size of it, in either body's frame, or where the same two edges meet; each old one becomes one new
-// one. The four kept are those of last time unless others span a tenth more, or are deeper. So a body that rests and trembles keeps its
+// A point is the same as an old one, and has its id, where it lies within `kSamePlace` of the smaller body's size of it, in either
+// body's frame, or where the same two edges meet; each old one becomes one new one. So a body that rests and trembles keeps its
 // ids, though edges that coincide change their order each step; and what is learnt of a contact, its impulse, can go by the id.
-//
-// Thread: that which steps the pair. Cost: two boxes face to face 0.4 us; no allocation.
-// Source: symmetric in both bodies by the shadows' law; the four points as D. Gregorius 2015, Robust contact creation for physics
-// simulations, GDC, chooses them.
 #pragma once
 
-#include "haptics/collision/contact_axis.h"
-#include "haptics/collision/contact_shape.h"
+#include "haptics/math/spatial.h"
 
 #include <array>
 #include <cstdint>
@@ -67,11 +56,5 @@ struct ContactPlace {
 [[nodiscard]] inline bool is_finite(const ContactPlace& place) noexcept {
     return place.position_W.allFinite() && place.turn_WB.allFinite();
 }
-
-/// Finds the pair's contacts anew; `manifold` is that of the last time, or a fresh one. Points with a gap above `margin_m`, 0 or more, are
-/// left out. A place that is not finite has no contacts. Two half spaces never touch.
-void find_contacts(const ContactShape& first, const ContactPlace& first_place,
-                   const ContactShape& second, const ContactPlace& second_place, double margin_m,
-                   ContactManifold& manifold) noexcept;
 
 }  // namespace fulcrum

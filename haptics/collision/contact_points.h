@@ -1,4 +1,4 @@
-// Which of a pair's possible contacts are kept, and which of them were there before. See contact_manifold.h for the law.
+// Which of a pair's possible contacts are kept, and which of them were there before. See find_contacts.h for the law.
 //
 // Thread: that which steps the pair. Cost: some 50 ns for a face on a face; no allocation.
 #pragma once

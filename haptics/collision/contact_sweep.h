@@ -11,6 +11,7 @@
 #pragma once
 
 #include "haptics/collision/contact_manifold.h"
+#include "haptics/collision/contact_shape.h"
 
 namespace fulcrum {
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "haptics/constraint/contact_motion.h"
+#include "haptics/constraint/contact_problem.h"
 #include "haptics/constraint/friction_shape.h"
 
 #include <cmath>

@@ -8,7 +8,7 @@
 // Thread: that of the solver. Cost: some 30 multiplications a constraint.
 #pragma once
 
-#include "haptics/constraint/contact_problem.h"
+#include "haptics/constraint/contact_constraint.h"
 
 #include <algorithm>
 #include <span>

@@ -21,8 +21,8 @@
 // anew: J. Haslinger 1983, Approximation of the Signorini problem with friction, obeying the Coulomb law.
 #pragma once
 
+#include "haptics/constraint/contact_method.h"
 #include "haptics/constraint/contact_motion.h"
-#include "haptics/constraint/contact_solver.h"
 #include "haptics/constraint/incremental_ldlt.h"
 
 #include <span>

@@ -13,8 +13,8 @@
 // Appl. Mech. Engrg. 155; E. Catto 2005, Iterative dynamics with temporal coherence, GDC.
 #pragma once
 
+#include "haptics/constraint/contact_method.h"
 #include "haptics/constraint/contact_motion.h"
-#include "haptics/constraint/contact_solver.h"
 
 #include <span>
 #include <vector>

@@ -32,8 +32,8 @@
 #pragma once
 
 #include "haptics/constraint/block_system.h"
+#include "haptics/constraint/contact_method.h"
 #include "haptics/constraint/contact_motion.h"
-#include "haptics/constraint/contact_solver.h"
 #include "haptics/constraint/set_solver.h"
 
 #include <span>

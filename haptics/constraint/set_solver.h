@@ -22,8 +22,8 @@
 #pragma once
 
 #include "haptics/constraint/block_system.h"
+#include "haptics/constraint/contact_method.h"
 #include "haptics/constraint/contact_motion.h"
-#include "haptics/constraint/contact_solver.h"
 
 #include <span>
 #include <vector>

@@ -13,7 +13,7 @@
 // Where the loads cannot tell two places apart the residual stays at their rounding: a whole step of Newton no longer than that
 // which makes it no shorter is the last one, and the second which does not halve it. A halved step says nothing of the kind, nor
 // does one that meets something new.
-#include "haptics/dynamics/integrator_steps.h"
+#include "haptics/dynamics/integrator.h"
 #include "haptics/math/dense.h"
 
 #include <algorithm>

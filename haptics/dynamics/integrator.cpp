@@ -1,6 +1,5 @@
 #include "haptics/dynamics/integrator.h"
 
-#include "haptics/dynamics/integrator_steps.h"
 #include "haptics/math/rotation.h"
 
 #include <cmath>

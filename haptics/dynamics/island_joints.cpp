@@ -1,5 +1,5 @@
 // Joints in the problem of island_solver.h.
-#include "haptics/dynamics/integrator_steps.h"
+#include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/island_solver.h"
 
 #include <algorithm>

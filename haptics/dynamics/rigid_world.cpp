@@ -2,7 +2,7 @@
 
 #include "haptics/base/flush_to_zero.h"
 #include "haptics/collision/sampled_contacts.h"
-#include "haptics/dynamics/integrator_steps.h"
+#include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/rigid_reach.h"
 #include "haptics/math/rotation.h"
 

@@ -1,7 +1,7 @@
 // A world of rigid bodies that fall, rest on each other, are joined, and push back.
 //
 //   place     axes, inertia and boxes of all bodies
-//   touch     pairs whose boxes overlap (broad_phase.h), and where they touch (contact_manifold.h; with a mesh sampled_contacts.h)
+//   touch     pairs whose boxes overlap (broad_phase.h), and where they touch (find_contacts.h; with a mesh sampled_contacts.h)
 //   islands   what hangs together by contacts and joints (islands.h): awake or asleep, touched by a hand or not
 //   solve     each island by itself (island_solver.h)
 //   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it

@@ -1,5 +1,6 @@
 // What the bodies of rigid_world.h meet within a step, and how far they go where the step's own answer leads to what nobody looked for.
 #include "haptics/collision/contact_sweep.h"
+#include "haptics/collision/find_contacts.h"
 #include "haptics/collision/sampled_contacts.h"
 #include "haptics/collision/sampled_sweep.h"
 #include "haptics/dynamics/rigid_reach.h"

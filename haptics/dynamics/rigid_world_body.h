@@ -6,6 +6,7 @@
 #include "haptics/base/bounded_list.h"
 #include "haptics/collision/contact_manifold.h"
 #include "haptics/collision/contact_pairs.h"
+#include "haptics/collision/contact_shape.h"
 #include "haptics/dynamics/joint.h"
 #include "haptics/dynamics/rigid_state.h"
 #include "haptics/geometry/step_box.h"

@@ -7,7 +7,7 @@
 // solved; then it stands where its parts led, or where it was held back on the straight way there.
 #include "haptics/base/flush_to_zero.h"
 #include "haptics/dynamics/hand_rows.h"
-#include "haptics/dynamics/integrator_steps.h"
+#include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/rigid_reach.h"
 #include "haptics/dynamics/rigid_world.h"
 #include "haptics/math/rotation.h"

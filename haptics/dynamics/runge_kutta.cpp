@@ -1,5 +1,5 @@
 // The four stages of integrator.h's runge_kutta_4.
-#include "haptics/dynamics/integrator_steps.h"
+#include "haptics/dynamics/integrator.h"
 
 namespace fulcrum {
 namespace {

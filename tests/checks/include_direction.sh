@@ -18,11 +18,6 @@ BEGIN {
     # Inside a room that has rooms of its own.
     order("runtime/lua", "process host api sandbox wire")
     # In circles still; this list only shrinks.
-    still("haptics/collision/contact_manifold haptics/collision/contact_points")
-    still("haptics/constraint/contact_motion haptics/constraint/contact_problem")
-    still("haptics/constraint/contact_solver haptics/constraint/dantzig_solver")
-    still("haptics/constraint/iterative_solver haptics/constraint/newton_solver")
-    still("haptics/constraint/set_solver haptics/dynamics/integrator haptics/dynamics/integrator_steps")
     still("haptics/record/record haptics/record/record_header haptics/record/record_layout")
     still("haptics/record/record_told haptics/record/told_layout")
 }

@@ -1,5 +1,6 @@
 #include "haptics/collision/contact_shadow.h"
 #include "haptics/collision/contact_sweep.h"
+#include "haptics/collision/find_contacts.h"
 #include "haptics/collision/sampled_shape.h"
 #include "haptics/collision/sampled_sweep.h"
 #include "haptics/geometry/shape.h"

@@ -1,5 +1,6 @@
-#include "haptics/collision/contact_manifold.h"
+#include "haptics/collision/find_contacts.h"
 
+#include "haptics/collision/contact_axis.h"
 #include "haptics/collision/contact_points.h"
 #include "haptics/collision/contact_shadow.h"
 

@@ -1,4 +1,4 @@
-#include "haptics/collision/contact_manifold.h"
+#include "haptics/collision/find_contacts.h"
 
 #include "haptics/collision/contact_points.h"
 #include "tests/support/contact_shapes.h"
