@@ -36,7 +36,6 @@
 // Source: CRC-32 as crc32.h has it; the magic follows PNG's, whose control characters show a transfer that changed line ends.
 #pragma once
 
-#include "haptics/base/error.h"
 #include "haptics/handover/record_sample.h"
 
 #include <array>
@@ -177,16 +176,6 @@ struct Record : RecordRounds {
 /// Reads what a loop was told into a value of the type that its kind names; one that was read from a record can be.
 template <class T>
 void read_told(const RecordRounds& rounds, const RecordTold& told, T& value);
-
-/// Reads a whole record. Refuses, with one sentence: wrong magic or version, a bad checksum, counts
-/// or sizes that cannot be, times that run backwards or are not finite, anything truncated. Never
-/// reads outside `bytes`, never allocates more than they justify.
-[[nodiscard]] Expected<Record> read_record(std::span<const std::byte> bytes);
-/// The same for a file whose writer was stopped in the middle: keeps every whole block before the
-/// first bad or missing byte and sets `cut_off`. A bad header is still refused.
-[[nodiscard]] Expected<Record> recover_record(std::span<const std::byte> bytes);
-/// Reads the file at `path` (at most 2 GB) with `recover_record`; `where` of an error is the path.
-[[nodiscard]] Expected<Record> load_record(const std::string& path);
 
 /// What another hand of the record did, as a record of it alone: `hand` is 1 for the second; facts of the device are its own. Nothing
 /// where there is none.

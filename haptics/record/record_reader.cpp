@@ -1,5 +1,6 @@
+#include "haptics/record/record_reader.h"
+
 #include "haptics/base/crc32.h"
-#include "haptics/record/record.h"
 #include "haptics/record/record_header.h"
 #include "haptics/record/record_layout.h"
 #include "haptics/record/record_told.h"

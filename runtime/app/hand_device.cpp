@@ -5,6 +5,7 @@
 #include "haptics/device/replay/replay_device.h"
 #include "haptics/loop/workspace.h"
 #include "haptics/record/record.h"
+#include "haptics/record/record_reader.h"
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/link_words.h"

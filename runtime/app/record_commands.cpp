@@ -1,5 +1,6 @@
 // What the command line does with a record alone: no lesson is started.
 #include "haptics/record/record.h"
+#include "haptics/record/record_reader.h"
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/evidence/force_account.h"

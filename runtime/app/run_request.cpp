@@ -1,6 +1,7 @@
 #include "runtime/app/run_request.h"
 
 #include "haptics/device/replay/recorded_traits.h"
+#include "haptics/record/record_reader.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/progress/store.h"

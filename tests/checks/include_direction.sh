@@ -17,9 +17,6 @@ BEGIN {
     order("runtime", "app lesson lua hearing render audio link progress evidence effect scene files text")
     # Inside a room that has rooms of its own.
     order("runtime/lua", "process host api sandbox wire")
-    # In circles still; this list only shrinks.
-    still("haptics/record/record haptics/record/record_header haptics/record/record_layout")
-    still("haptics/record/record_told haptics/record/told_layout")
 }
 function order(name, rooms,    list, n, i) {
     n = split(rooms, list, " ")
@@ -29,7 +26,6 @@ function complain(why) { print $1 ":" $2 ": " why; bad = 1 }
 # The inner room of a path, or nothing.
 function inner_of(path,    part, n) { n = split(path, part, "/"); return n > 3 ? part[1] "/" part[2] "/" part[3] : "" }
 function room_of(path,    part, n) { n = split(path, part, "/"); return n > 2 ? part[1] "/" part[2] : part[1] }
-function still(names,    list, n) { n = split(names, list, " "); while (n) in_circle[list[n--]] = 1 }
 # A file, its source or header alike.
 function stem(path) { sub(/\.[a-z]+$/, "", path); return path }
 function file_of(path,    name) {
@@ -88,7 +84,6 @@ END {
     for (i = 1; i <= NR; ++i) if (!(user[i] in reached)) visit(user[i])
     for (i = 1; i <= NR; ++i) {
         if (user[i] == used_file[i] || (c = circle[user[i]]) != circle[used_file[i]]) continue
-        if ((user[i] in in_circle) && (used_file[i] in in_circle)) continue
         print place[i] ": \"" used[i] "\" closes the circle of" members[c]
         bad = 1
     }

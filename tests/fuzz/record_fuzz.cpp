@@ -2,6 +2,7 @@
 // same bytes are tried a second time with their checksums put right, so that mutations reach what those guard.
 #include "haptics/base/crc32.h"
 #include "haptics/record/record.h"
+#include "haptics/record/record_reader.h"
 #include "haptics/record/record_writer.h"
 #include "tests/fuzz/promise.h"
 

@@ -1,5 +1,7 @@
 #include "tests/lessons/program.h"
 
+#include "haptics/record/record_reader.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <sys/wait.h>

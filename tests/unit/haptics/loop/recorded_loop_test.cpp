@@ -2,6 +2,7 @@
 #include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/dynamics/world_loop.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/record/record_reader.h"
 #include "haptics/record/record_writer.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 

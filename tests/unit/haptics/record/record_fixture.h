@@ -5,6 +5,7 @@
 #include "haptics/base/little_endian.h"
 #include "haptics/math/rotation.h"
 #include "haptics/record/record.h"
+#include "haptics/record/record_reader.h"
 #include "haptics/record/record_writer.h"
 
 #include <catch2/catch.hpp>

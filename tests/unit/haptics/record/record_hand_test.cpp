@@ -1,4 +1,5 @@
 // Records of several hands, and those of version 5, which knew one.
+#include "haptics/record/record_reader.h"
 #include "tests/unit/haptics/record/record_fixture.h"
 
 #include <catch2/catch.hpp>

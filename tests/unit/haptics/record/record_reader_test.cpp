@@ -1,3 +1,5 @@
+#include "haptics/record/record_reader.h"
+
 #include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/record/record_fixture.h"
 

@@ -1,6 +1,7 @@
 #include "haptics/handover/axle_messages.h"
 #include "haptics/handover/line_state.h"
 #include "haptics/handover/rigid_messages.h"
+#include "haptics/record/record_reader.h"
 #include "haptics/record/record_writer.h"
 #include "tests/support/bad_numbers.h"
 #include "tests/unit/haptics/record/record_fixture.h"

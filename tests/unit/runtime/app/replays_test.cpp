@@ -1,4 +1,5 @@
 #include "haptics/math/split_mix.h"
+#include "haptics/record/record_reader.h"
 #include "runtime/app/replayed_input.h"
 #include "runtime/app/replayed_stops.h"
 #include "runtime/app/told_replay.h"

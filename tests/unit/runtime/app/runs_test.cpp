@@ -1,3 +1,4 @@
+#include "haptics/record/record_reader.h"
 #include "runtime/app/run_recorder.h"
 #include "runtime/app/run_spoiler.h"
 #include "runtime/app/soak_report.h"
