@@ -11,6 +11,14 @@
 
 namespace fulcrum::dialogue {
 
+/// What costs how much; a path with the least sum is how an utterance is understood. A slip is 10.
+inline constexpr int kSlipCost = 10;
+inline constexpr int kPatternCost = 20;
+inline constexpr int kOtherDegreeCost = 30;
+inline constexpr int kOrderCost = 30;  ///< a missing or a wrong word explains a sentence better
+inline constexpr int kKindCost =
+    30;  ///< "apples" for "the apple", before it is known whether that is right
+
 /// What an arc says and means, before it is stored.
 struct ArcText {
     std::string_view said;   ///< words apart by spaces; empty when nothing is said

@@ -4,13 +4,22 @@
 #pragma once
 
 #include "dialogue/template/arc_writer.h"
-#include "dialogue/template/phrases.h"
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
 namespace fulcrum::dialogue {
+
+/// The article that a template asks for before a list.
+enum class ArticlePolicy : std::uint8_t {
+    bare,        ///< {thing}: none asked for, any accepted
+    indefinite,  ///< [a|an|the], <article>, a: any such thing; a or an by sound where the noun needs one
+    definite,  ///< the, [the|a|an]: the one that is there; "an apple" passes, and is said back with "the"
+    short_answer,  ///< the noun alone is a whole answer: it may go without
+    determined,    ///< "my {thing}", "a longer {thing}": its determiner stands before it
+    after_no,      ///< "no {thing}", "enough {thing}": without an article, one or several
+};
 
 /// Nouns that take the same articles.
 enum class Branch : std::uint8_t {

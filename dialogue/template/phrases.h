@@ -8,28 +8,11 @@
 #pragma once
 
 #include "dialogue/template/arc_writer.h"
+#include "dialogue/template/article_writer.h"
 
 #include <string_view>
 
 namespace fulcrum::dialogue {
-
-/// What costs how much; a path with the least sum is how an utterance is understood. A slip is 10.
-inline constexpr int kSlipCost = 10;
-inline constexpr int kPatternCost = 20;
-inline constexpr int kOtherDegreeCost = 30;
-inline constexpr int kOrderCost = 30;  ///< a missing or a wrong word explains a sentence better
-inline constexpr int kKindCost =
-    30;  ///< "apples" for "the apple", before it is known whether that is right
-
-/// The article that a template asks for before a list.
-enum class ArticlePolicy : std::uint8_t {
-    bare,        ///< {thing}: none asked for, any accepted
-    indefinite,  ///< [a|an|the], <article>, a: any such thing; a or an by sound where the noun needs one
-    definite,  ///< the, [the|a|an]: the one that is there; "an apple" passes, and is said back with "the"
-    short_answer,  ///< the noun alone is a whole answer: it may go without
-    determined,    ///< "my {thing}", "a longer {thing}": its determiner stands before it
-    after_no,      ///< "no {thing}", "enough {thing}": without an article, one or several
-};
 
 /// What is known of the number of a subject that is plain words: "the scissors", "they"; behind "the" it may be a name, "the Earth".
 enum class SubjectNumber : std::uint8_t { unknown, singular, plural, name };

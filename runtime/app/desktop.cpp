@@ -1,6 +1,7 @@
 #include "runtime/app/desktop.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/audio/open_sound_player.h"
 
 #include <algorithm>
 #include <chrono>

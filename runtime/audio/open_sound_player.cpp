@@ -1,8 +1,9 @@
+#include "runtime/audio/open_sound_player.h"
+
 #include "runtime/audio/lasting_player.h"
 #include "runtime/audio/null/null_player.h"
 #include "runtime/audio/openal/openal_player.h"
 #include "runtime/audio/sound_bank.h"
-#include "runtime/audio/sound_player.h"
 
 namespace fulcrum::runtime {
 

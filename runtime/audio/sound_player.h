@@ -13,7 +13,6 @@
 
 #include "haptics/base/error.h"
 
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -84,15 +83,5 @@ class SoundPlayer {
     /// What a person should know of the sound card, a sentence, once; empty when there is nothing new.
     [[nodiscard]] virtual std::string take_notice() { return {}; }
 };
-
-/// A player, and one sentence for the user when it is a silent one (empty otherwise).
-struct OpenedSound {
-    std::unique_ptr<SoundPlayer> player;  ///< never null
-    std::string notice;
-};
-
-/// Opens the default sound card; without one the player is the null player and `notice` says so.
-/// Never throws, never writes to the terminal. An unknown name in the settings is an error.
-[[nodiscard]] Expected<OpenedSound> open_sound_player(const SoundSettings& settings);
 
 }  // namespace fulcrum::runtime

@@ -1,10 +1,10 @@
 #include "runtime/audio/lasting_player.h"
 #include "runtime/audio/null/null_player.h"
+#include "runtime/audio/open_sound_player.h"
 #include "runtime/audio/openal/openal_microphone.h"
 #include "runtime/audio/openal/openal_player.h"
 #include "runtime/audio/openal/quiet_backends.h"
 #include "runtime/audio/recorded_microphone.h"
-#include "runtime/audio/sound_player.h"
 #include "tests/unit/runtime/rig.h"
 
 #include <cstdio>
