@@ -186,8 +186,8 @@ int check_as_meant(const Installation& installation, LessonRun& run,
     checked.n_notes = checked.say_each(notes);
     const int line = run.description().tests.empty() ? 0 : run.description().tests.front().line;
     for (const Error& note :
-         notes_of_felt(run.felt_times(), line > 0 ? "lesson.lua:" + std::to_string(line)
-                                                  : std::string("lesson.lua"))) {
+         notes_of_felt(felt_times_of(run.hands()), line > 0 ? "lesson.lua:" + std::to_string(line)
+                                                            : std::string("lesson.lua"))) {
         checked.n_notes += checked.say_each({to_sentence(note)});
     }
     if (interrupted()) {

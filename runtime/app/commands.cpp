@@ -35,7 +35,7 @@ namespace {
 std::map<std::string, std::string> facts_of(LessonRun& run) {
     const SessionResult& result = run.session().result();
     return {{"finished", result.finished ? "true" : "false"},
-            {"felt", was_felt(run.felt_times()) ? "true" : "false"},
+            {"felt", was_felt(felt_times_of(run.hands())) ? "true" : "false"},
             {"stars", std::to_string(result.stars)},
             {"score", std::to_string(result.score)},
             {"level", std::to_string(result.level)},
@@ -105,7 +105,7 @@ tl::unexpected<Error> refuse_broken_off() {
 Expected<Analysis> measure_stages(LessonRun& run, const Places& places, const RunRequest& request,
                                   const std::optional<double>& end_s) {
     StageClock clock(run.plan());
-    RunTape tape(run.all_traits());
+    RunTape tape(traits_of(run.hands()));
     HeadlessSettings settings;
     settings.tape = &tape;
     settings.end_s = end_s;
@@ -219,7 +219,7 @@ int test_by(const Installation& installation, const Options& options, PlayedBy b
             name_wrong_answers(test, talk);
         }
         unmet += tell_unknown_asked(run);
-        tell_felt(run.felt_times(), "lesson.lua:" + std::to_string(test.line));
+        tell_felt(felt_times_of(run.hands()), "lesson.lua:" + std::to_string(test.line));
         std::printf("%s: %s by %s after %.1f s of play.\n", run.description().id.c_str(),
                     unmet == 0 ? "passed" : "failed", std::string(name_of(by)).c_str(),
                     outcome->simulated_s);

@@ -1,6 +1,7 @@
 #include "runtime/app/force_trial.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/hand_trial.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/stop_signal.h"
 
@@ -72,11 +73,11 @@ void ForceTrial::frame(bool rests) {
 
 Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressStore& store) {
     constexpr bool kAsked = false;
-    for (std::size_t hand = 0; hand < run.n_hands() && !interrupted(); ++hand) {
-        if (!run.needs_trial(hand, request, kAsked)) {
+    for (std::size_t hand = 0; hand < run.hands().size() && !interrupted(); ++hand) {
+        if (!needs_trial(run.hand_at(hand), request, kAsked)) {
             continue;
         }
-        HandDevice& device = run.hand_to_try(hand);
+        HandDevice& device = *run.hand_at(hand).device;
         const TriedDevice tried = device.tried();
         std::printf("The %s%s pushes gently for a moment, to be tried.\n",
                     hand == 0 ? "" : "second ", tried.name());
@@ -91,7 +92,8 @@ Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressSto
         }
         const FirstUse trial = (*begun)->trial();
         begun->reset();
-        run.take_trial(hand, trial, kAsked, request, store);
+        take_trial(run.hand_at(hand), hand == 0 ? "" : "The second hand: ", trial, kAsked, request,
+                   store);
     }
     return {};
 }

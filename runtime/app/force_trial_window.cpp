@@ -1,6 +1,7 @@
 // The first use of an arm or a joystick as a learner sees it. See force_trial.h.
 #include "haptics/base/clock.h"
 #include "runtime/app/force_trial.h"
+#include "runtime/app/hand_trial.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/stop_keys.h"
 #include "runtime/app/stop_signal.h"
@@ -204,11 +205,11 @@ Expected<TrialLeft> try_forces_in_window(LessonRun& run, const RunRequest& reque
                                          const dialogue::Catalogue& catalogue,
                                          std::optional<double> end_s) {
     constexpr bool kAsked = true;
-    for (std::size_t hand = 0; hand < run.n_hands(); ++hand) {
-        if (!run.needs_trial(hand, request, kAsked)) {
+    for (std::size_t hand = 0; hand < run.hands().size(); ++hand) {
+        if (!needs_trial(run.hand_at(hand), request, kAsked)) {
             continue;
         }
-        HandDevice& device = run.hand_to_try(hand);
+        HandDevice& device = *run.hand_at(hand).device;
         auto begun =
             ForceTrial::begin(device.device(), run.limits_of(hand), kAsked, device.tried());
         if (!begun) {
@@ -221,7 +222,8 @@ Expected<TrialLeft> try_forces_in_window(LessonRun& run, const RunRequest& reque
         if (left != TrialLeft::done) {
             return left;
         }
-        run.take_trial(hand, trial, kAsked, request, store);
+        take_trial(run.hand_at(hand), hand == 0 ? "" : "The second hand: ", trial, kAsked, request,
+                   store);
     }
     return TrialLeft::done;
 }

@@ -3,6 +3,7 @@
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/live_loops.h"
+#include "runtime/app/run_told.h"
 #include "runtime/app/stop_signal.h"
 #include "runtime/lua/process/turn_taking.h"
 
@@ -31,8 +32,9 @@ class VirtualClock {
           tape_(settings.tape),
           again_after_s_(settings.again_after_s),
           rate_hz_(run.plan().haptic.rate_hz),
-          world_every_(
-              run.world_loop() != nullptr ? std::lround(rate_hz_ / run.plan().world_rate_hz()) : 0),
+          world_every_(run.effects().world_loop() != nullptr
+                           ? std::lround(rate_hz_ / run.plan().world_rate_hz())
+                           : 0),
           kite_every_(run.plan().kite ? std::lround(rate_hz_ / run.plan().kite->rate_hz) : 0),
           frame_rate_hz_(run.plan().haptic.lesson_rate_hz) {
         if (deadlines_ != nullptr) {
@@ -56,33 +58,33 @@ class VirtualClock {
         const double before_s = jumped_s_;
         const bool world_runs = spoil();
         const bool world_is_due =
-            world_runs && run_.world_loop() != nullptr && tick_ % world_every_ == 0;
+            world_runs && run_.effects().world_loop() != nullptr && tick_ % world_every_ == 0;
         const bool kite_is_due =
-            world_runs && run_.kite_loop() != nullptr && tick_ % kite_every_ == 0;
+            world_runs && run_.effects().kite_loop() != nullptr && tick_ % kite_every_ == 0;
         if (stages_ != nullptr) {
             observe_tick(world_is_due, kite_is_due);
         } else {
-            run_.hands_loop().step(now_s());
+            run_.rounds().task().step(now_s());
             find_contact();
             if (world_is_due) {
-                run_.world_loop()->step(now_s());
+                run_.effects().world_loop()->step(now_s());
             }
             if (kite_is_due) {
-                run_.kite_loop()->step(now_s());
+                run_.effects().kite_loop()->step(now_s());
             }
         }
         if (tape_ != nullptr) {
-            tape_->keep_round(run_.all_loops());
+            tape_->keep_round(loops_of(run_.hands()));
         }
         if (deadlines_ != nullptr) {
             watch_deadlines(jumped_s_ - before_s, world_is_due, kite_is_due);
         }
-        if (const SpoiledCounts* const arm = run_.spoiled_counts();
+        if (const SpoiledCounts* const arm = run_.hand().spoiled_counts();
             felt_ != nullptr && arm != nullptr) {
             felt_->hands_stepped(run_.haptic_loop().state(), arm->force_N,
                                  arm->may_feel && (spoiler_ == nullptr || spoiler_->may_feel()),
-                                 run_.sees_thing());
-            felt_->world_stepped(run_.world_effort());
+                                 run_.hand().sees_thing());
+            felt_->world_stepped(run_.effects().world_effort());
         }
         ++tick_;
     }
@@ -122,7 +124,7 @@ class VirtualClock {
         if (spoiler_ == nullptr) {
             return true;
         }
-        const SpoiledCounts* const arm = run_.spoiled_counts();
+        const SpoiledCounts* const arm = run_.hand().spoiled_counts();
         jumped_s_ += spoiler_->step(now_s(), arm != nullptr ? arm->force_N : 0.0);
         if (spoiler_->kills_lesson(now_s()) && run_.process().pid() > 0) {
             (void)::kill(run_.process().pid(), SIGKILL);
@@ -143,7 +145,7 @@ class VirtualClock {
         return spoiler_ != nullptr ? spoiler_->quiet_s(now_s()) : now_s();
     }
     void watch_deadlines(double jumped_s, bool world_was_due, bool kite_was_due) {
-        const SpoiledCounts* const arm = run_.spoiled_counts();
+        const SpoiledCounts* const arm = run_.hand().spoiled_counts();
         const double around_s = quiet_around_s();
         deadlines_->hands_stepped(now_s(), jumped_s, run_.haptic_loop().state(),
                                   arm != nullptr ? std::min(arm->quiet_s, around_s) : around_s);
@@ -162,17 +164,17 @@ class VirtualClock {
     }
     void observe_tick(bool world_is_due, bool kite_is_due) {
         stages_->begin();
-        run_.step_hands(now_s(), *stages_);
+        run_.rounds().step(now_s(), *stages_);
         stages_->compare(run_.haptic_loop().state(), run_.hand().true_velocity_W());
         find_contact();
         if (world_is_due) {
             stages_->begin();
-            run_.world_loop()->step(now_s());
-            stages_->passed_world(run_.world_effort());
+            run_.effects().world_loop()->step(now_s());
+            stages_->passed_world(run_.effects().world_effort());
         }
         if (kite_is_due) {
             stages_->begin();
-            run_.kite_loop()->step(now_s());
+            run_.effects().kite_loop()->step(now_s());
             stages_->passed_kite();
         }
     }
@@ -246,16 +248,17 @@ void sleep_s(double seconds) {
 
 std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, bool takes_say) {
     constexpr const char* kSayFile = "give --say a file with one answer a line";
-    if (outcome.nobody_answered && run.say_line() > 0) {
+    if (outcome.nobody_answered && run.pupil().say_line() > 0) {
         const std::size_t n = run.description().tests.front().say.size();
         return to_sentence({"the lesson asked, and say of L:test has no answer left (" +
                                 std::to_string(n) + " in all)",
-                            "lesson.lua:" + std::to_string(run.say_line()),
+                            "lesson.lua:" + std::to_string(run.pupil().say_line()),
                             std::string("add answers to it") +
                                 (takes_say ? std::string(", or ") + kSayFile : std::string())});
     }
-    if (outcome.nobody_answered && run.n_given_lines() > 0 && run.pupil()->left().empty()) {
-        return "The lesson asked, and all " + std::to_string(run.n_given_lines()) +
+    if (outcome.nobody_answered && run.pupil().n_given_lines() > 0 &&
+        run.pupil().simulated()->left().empty()) {
+        return "The lesson asked, and all " + std::to_string(run.pupil().n_given_lines()) +
                " lines of the file are said; write more of them into it.";
     }
     if (outcome.nobody_answered) {
@@ -270,10 +273,10 @@ std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, boo
 }
 
 std::string unsaid_of(const LessonRun& run, const HeadlessOutcome& outcome) {
-    if (run.n_given_lines() == 0 || run.pupil()->left().empty()) {
+    if (run.pupil().n_given_lines() == 0 || run.pupil().simulated()->left().empty()) {
         return {};
     }
-    const auto& left = run.pupil()->left();
+    const auto& left = run.pupil().simulated()->left();
     const std::string n = std::to_string(left.size());
     return (left.size() == 1 ? "One line of the file was not said, \""
                              : n + " lines of the file were not said, from \"") +
@@ -317,7 +320,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
     run.listen_to_lesson({});
     outcome.interrupted = interrupted();
     outcome.never_ended = !outcome.finished && !settings.end_s && clock.now_s() >= longest_s;
-    run.hands_loop().silence(clock.now_s());
+    run.rounds().task().silence(clock.now_s());
     outcome.simulated_s = clock.now_s();
     outcome.wall_s = monotonic_now_s() - began_s;
     return outcome;

@@ -169,7 +169,7 @@ void LessonInput::point(const WindowEvents& events, const PictureSize& size) {
     point_by_mouse(events, camera);
     if (const auto hand = keys_hand()) {
         if (const auto place_W = pointer_on_plane(camera, keys_px_, keys_depth_m(camera))) {
-            run_->point_at(*hand, *place_W, keys_press_ ? 1U : 0U);
+            run_->hand_at(*hand).device->point_at(*place_W, keys_press_ ? 1U : 0U);
         }
     }
 }
@@ -185,7 +185,7 @@ void LessonInput::point_by_mouse(const WindowEvents& events, const Camera& camer
         buttons |= events.button_down[i] ? 1U << i : 0U;
     }
     if (place_W) {
-        run_->point_at(*hand, *place_W, buttons);
+        run_->hand_at(*hand).device->point_at(*place_W, buttons);
     }
 }
 

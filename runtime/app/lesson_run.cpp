@@ -1,275 +1,87 @@
 #include "runtime/app/lesson_run.h"
 
-#include "runtime/app/hand_fitting.h"
-#include "runtime/app/interrupt.h"
-#include "runtime/app/kept_feedback.h"
-#include "runtime/app/lesson_parts.h"
-#include "runtime/files/shape_cache.h"
 #include "runtime/lesson/compose_view.h"
-#include "runtime/lesson/learner_feedback.h"
-#include "runtime/lesson/learner_throat.h"
-#include "runtime/lesson/past_answers.h"
-#include "runtime/lesson/questions.h"
-#include "runtime/scene/compile_plan.h"
-#include "runtime/scene/plan_hands.h"
-#include "runtime/text/progress_line.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace fulcrum::runtime {
 namespace {
 
-constexpr const char* kGuest = "guest";
 constexpr std::size_t kMostPrints = 8;  // lines a frame: a terminal must not hold the lesson up
 
-// With the user's cache of shapes and a line that says how far it has come; nothing of either where the lesson needs none.
-Expected<Plan> compile_shown(const LessonDescription& lesson, PlanOptions options,
-                             const SolidLoader& load_solid, const PictureLoader& load_picture) {
-    if (!lesson.hand.tool) {
-        return compile_plan(lesson, options, load_solid, load_picture);
-    }
-    const auto folder = default_shape_cache_folder();
-    ShapeCache shapes({.folder = folder.value_or(std::filesystem::path{})});
-    Expected<Plan> plan = [&] {
-        ProgressLine line("Making " + lesson.id + " ready:");
-        options.shapes = &shapes;
-        options.progress = [&line](double share, std::string_view what) {
-            line.say(share, what);
-            return !interrupted();
-        };
-        return compile_plan(lesson, options, load_solid, load_picture);
-    }();
-    for (const std::string& sentence : shapes.told()) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
-    return plan;
-}
 }  // namespace
 
 LessonRun::~LessonRun() = default;
 
-Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
-                                                       const RunRequest& request,
-                                                       ProgressStore& store,
-                                                       const dialogue::Catalogue& catalogue) {
-    std::unique_ptr<LessonRun> run(new LessonRun);
-    const auto whole = with_record(request);
-    if (!whole) {
-        return tl::unexpected(whole.error());
-    }
-    RunRequest settled = with_kept_feedback(with_kept_fit(*whole, store), store);
-    const auto built = run->load(places, settled)
-                           .and_then([&] { return run->open_hand(places, settled); })
-                           .and_then([&] { return run->open_more_hands(places, settled, store); })
-                           .and_then([&] { return run->build_loops(places, settled); })
-                           .and_then([&] { return run->build_session(settled, store, catalogue); });
-    if (!built) {
-        return tl::unexpected(built.error());
-    }
-    keep_fit_of(request, store);
-    for (std::size_t hand = 1; hand < run->n_hands(); ++hand) {
-        keep_fit_of(of_hand(settled, hand), store);
-    }
-    return run;
+std::optional<std::size_t> LessonRun::find_hand(HandKind kind) const {
+    const auto find = [this](auto&& is_it) -> std::optional<std::size_t> {
+        const auto found =
+            std::ranges::find_if(hands_, [&](const auto& hand) { return is_it(*hand->device); });
+        return found == hands_.end()
+                   ? std::nullopt
+                   : std::optional(static_cast<std::size_t>(found - hands_.begin()));
+    };
+    const auto of_kind = find([&](const HandDevice& device) { return device.kind() == kind; });
+    // What was unplugged is moved by the mouse.
+    return of_kind || kind != HandKind::mouse
+               ? of_kind
+               : find([](const HandDevice& device) { return device.stands_in(); });
 }
 
-// The lesson says what it needs, and the plan holds exactly that.
-Expected<void> LessonRun::load(const Places& places, RunRequest& request) {
-    auto started = start_lesson(places, request);
-    if (!started) {
-        return tl::unexpected(started.error());
-    }
-    process_ = std::move(started->process);
-    if (auto models = check_models(places, request.folder, process_->description()); !models) {
-        return models;
-    }
-    scene_ = process_->description();
-    scene_.hand.scale *= request.fit.scale.value_or(1.0);
-    auto plan = compile(places, request, scene_);
-    if (!plan) {
-        return tl::unexpected(plan.error());
-    }
-    plan_ = std::move(*plan);
-    hand_notices_ = std::move(started->notices);
-    return {};
+bool LessonRun::renders_force() const {
+    return std::ranges::any_of(hands_,
+                               [](const auto& hand) { return hand->device->renders_force(); });
 }
 
-Expected<Plan> LessonRun::compile(const Places& places, const RunRequest& request,
-                                  const LessonDescription& scene) const {
-    PlanOptions options = request.plan;
-    options.device_force_limit_N = force_limit_N(request);
-    if (hand_) {
-        options.holders = find_holders(request.plan.holders);
-    }
-    return compile_shown(scene, std::move(options), make_solid_loader(places, request.folder),
-                         make_picture_loader(request.folder, scene.hand.scale))
-        .and_then([](Plan&& plan) {
-            return validate(plan.haptic)
-                .and_then([&] {
-                    return plan.world   ? validate(*plan.world)
-                           : plan.rigid ? validate(*plan.rigid)
-                                        : Expected<void>{};
-                })
-                .map([&] { return std::move(plan); });
-        });
+bool LessonRun::device_is_lost() const {
+    return std::ranges::any_of(hands_, [](const auto& hand) { return hand->is_lost(); });
 }
 
-// What a device can reach is known when it is open.
-Expected<void> LessonRun::open_hand(const Places& places, const RunRequest& request) {
-    auto hand = HandDevice::open(request, plan_.haptic);
-    if (!hand) {
-        return tl::unexpected(hand.error());
-    }
-    hand_ = std::move(*hand);
-    if (auto fitted = fit_to_force(places, request); !fitted) {
-        return fitted;
-    }
-    if (const double factor = choose_scale(request.fit, device().traits()); factor != 1.0) {
-        fit_to_reach(places, request, 0, factor);
-    }
-    return validate(plan_.haptic, device().traits());
-}
-
-// Only what is in the plan is built.
-Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& request) {
-    if (plan_.touch_sound) {
-        build_touch_sound();
-    }
-    if (!plan_.haptic.axles.empty()) {
-        axles_ = std::make_unique<AxleChannels>();
-        channels_.axles = axles_.get();
-    }
-    if (plan_.kite) {
-        kite_ = std::make_unique<KiteChannels>();
-        channels_.kite = kite_.get();
-        kite_loop_ = std::make_unique<KiteLoop>(plan_.kite->flight,
-                                                plan_.kite->rate_hz * plan_.kite->n_parts, *kite_);
-    }
-    if (plan_.rigid) {
-        if (auto built = build_rigid_loop(); !built) {
-            return built;
+bool LessonRun::holds_back() const {
+    for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
+        if (hands_[hand]->holds_back(limits_of(hand))) {
+            return true;
         }
     }
-    build_hands(request);
-    build_why(request);
-    if (auto recorded = build_recorder(places, request); !recorded) {
-        return recorded;
-    }
-    if (plan_.world) {
-        std::vector<std::int32_t> solid_bodies;
-        for (const SolidPlan& solid : plan_.haptic.solids) {
-            solid_bodies.push_back(solid.body);
-        }
-        world_channels_ = std::make_unique<WorldChannels>();
-        world_loop_ = std::make_unique<WorldLoop>(*plan_.world, std::move(solid_bodies),
-                                                  *world_channels_, channels_);
-    }
-    fill_in_memory(plan_, name_of_loop(0), *haptic_loop_);
-    for (std::size_t i = 0; i < more_hands_.size(); ++i) {
-        fill_in_memory(plan_, name_of_loop(i + 1), *more_hands_[i]->loop);
-    }
-    return {};
+    return false;
 }
 
-// The loop tells what it touches, and each solid that can be heard has its tone.
-void LessonRun::build_touch_sound() {
-    std::vector<TapTone> tones;
-    for (const SolidPlan& solid : plan_.haptic.solids) {
-        tones.push_back(solid.surface.audible ? tone_of(solid.surface.transient) : TapTone{});
-    }
-    touches_ = std::make_unique<TouchRing>();
-    channels_.touches = touches_.get();
-    touch_sound_ =
-        std::make_unique<TouchSound>(*touches_, std::move(tones), 1.0 / plan_.haptic.rate_hz);
-    for (PlanStage& stage : plan_.stages) {
-        if (stage.loop == "sound" && stage.name == "touch") {
-            stage.memory_bytes = sizeof(TouchRing) + sizeof(TouchSound);
+std::string LessonRun::take_device_notice() {
+    std::string notice;
+    for (const auto& hand : hands_) {
+        if (const std::string more = hand->device->take_notice(); !more.empty()) {
+            notice += (notice.empty() ? "" : " ");
+            notice += (hand == hands_.front() ? "" : "The second hand: ") + more;
         }
     }
+    return notice;
 }
 
-// Who plays, and who answers.
-namespace {
-
-// What the learner answered before, where the lesson asks for it; none, said aloud, where it cannot be read. A simulated pupil begins anew
-// each time, so that the same run gives the same bytes.
-std::vector<PastAnswers> recall(ProgressStore& store, const Learner& learner, bool is_wanted) {
-    if (!is_wanted || learner.nickname == kSimulatedPupil) {
-        return {};
-    }
-    auto past = read_past_answers(store, learner, utc_now_ms());
-    if (!past) {
-        std::fprintf(stderr, "%s\n", to_sentence(past.error()).c_str());
-        return {};
-    }
-    return std::move(*past);
-}
-
-}  // namespace
-
-Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore& store,
-                                        const dialogue::Catalogue& catalogue) {
-    LessonDescription description = scene_;
-    at_desk_ = request.by != PlayedBy::arm;
-    fit_ = request.fit;
-    const auto learner = store.enrol(request.learner.empty() ? kGuest : request.learner);
-    if (!learner) {
-        return tl::unexpected(learner.error());
-    }
-    const bool is_known = !request.learner.empty() && learner->nickname != kSimulatedPupil;
-    choose_feedback(description, request.feedback.value_or(request.kept_feedback));
-    choose_pupil(description, request);
-    auto past = recall(store, *learner, description.wants_past);
-    if (plan_.recogniser && plan_.hearing.takes_throat && plan_.hearing.throat == 0.0 && is_known) {
-        plan_.hearing.throat = read_throat(store, *learner).value_or(0.0);
-    }
-    auto session =
-        LessonSession::create(std::move(description), plan_, catalogue, store, learner->id,
-                              version_of(process_->files_read()), std::move(past));
-    if (!session) {
-        return tl::unexpected(session.error());
-    }
-    session_ = std::move(*session);
-    if (request.feedback && is_known) {
-        session_->keep_setting(kFeedback, feedback_text(*request.feedback));
-    }
-    place_visible_bodies();
-    return {};
-}
+// ---- a frame
 
 Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     SessionInput gathered;
     gathered.time_s = input.time_s;
     gathered.dt_s = std::max(0.0, input.time_s - last_frame_s_);
     last_frame_s_ = input.time_s;
-    channels_.state_for_lesson.take();
-    gathered.hand = seen(*hand_, channels_.state_for_lesson.value());
-    gather_more_hands(gathered);
-    if (world_channels_) {
-        world_channels_->snapshot.take();
-        take_rigid_bodies();
-        gathered.world = newest_world();
-        for (WorldEvent event; world_channels_->events.pop(event);) {
-            gathered.world_events.push_back(event);
+    for (const auto& hand : hands_) {
+        hand->channels.state_for_lesson.take();
+        if (hand == hands_.front()) {
+            gathered.hand = hand->seen();
+        } else {
+            gathered.more_hands.push_back(hand->seen());
         }
     }
-    if (axles_) {
-        axles_->frame.take();
-        gathered.axles = newest_axles();
-    }
-    if (kite_) {
-        kite_->frame.take();
-        gathered.kite = newest_kite();
-    }
+    effects_.gather(description(), gathered);
     gathered.wheel = input.wheel;
     gathered.keys = input.keys;
     gathered.heard = input.typed;
-    if (wish_ && !at_desk_ && !wish_->key.empty()) {
-        gathered.keys.push_back(std::exchange(wish_->key, {}));
+    std::optional<HandWish>& wish = hands_.front()->wish;
+    if (wish && !at_desk_ && !wish->key.empty()) {
+        gathered.keys.push_back(std::exchange(wish->key, {}));
     }
-    if (replayed_) {
-        replayed_->add_to(gathered);
+    if (pupil_.replayed() != nullptr) {
+        pupil_.replayed()->add_to(gathered);
     } else if (!gathered.heard && !at_desk_) {
         auto said = hear_pupil(input.time_s);
         if (!said) {
@@ -280,26 +92,8 @@ Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     if (recorder_) {
         recorder_->keep_frame(gathered);
     }
-    look_why(gathered);
+    why_.look(gathered);
     return gathered;
-}
-
-// Null before the world's first round, and when the plan has none.
-const WorldSnapshot* LessonRun::newest_world() const {
-    if (rigid_loop_) {
-        return seen_.n_bodies > 0 ? &seen_ : nullptr;
-    }
-    const bool is_there = world_channels_ && world_channels_->snapshot.value().n_bodies > 0;
-    return is_there ? &world_channels_->snapshot.value() : nullptr;
-}
-
-WorldEffort LessonRun::world_effort() const {
-    const WorldSnapshot* const world = newest_world();
-    return world != nullptr ? world->effort : WorldEffort{};
-}
-
-const AxleFrame* LessonRun::newest_axles() const {
-    return axles_ && axles_->frame.value().n_axles > 0 ? &axles_->frame.value() : nullptr;
 }
 
 Expected<FrameReport> LessonRun::exchange_frame(const FrameInput& input) {
@@ -342,24 +136,13 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     if (heard_) {
         heard_(*output);
     }
-    channels_.command.publish(output->force);
-    lead_more_hands(*output);
-    if (axles_) {
-        axles_->orders.publish(output->axles);
+    for (const auto& hand : hands_) {
+        hand->channels.command.publish(output->force);
     }
-    if (kite_) {
-        order_kite(*output);
+    if (auto ordered = effects_.order(plan(), *output); !ordered) {
+        return tl::unexpected(ordered.error());
     }
-    if (auto commanded = command_world(output->world); !commanded) {
-        return tl::unexpected(commanded.error());
-    }
-    if (output->has_hand_target) {
-        if (spoiled_counts() != nullptr) {
-            look_around();
-        }
-        hand_->follow(output->hand_target_W, output->hand_buttons);
-        wish_ = HandWish{output->hand_target_W, output->hand_buttons, output->hand_key};
-    }
+    lead_hands(*output);
     if (output->printed.size() > kMostPrints) {
         output->printed.resize(kMostPrints);
         output->printed.emplace_back("(this frame printed more)");
@@ -368,28 +151,127 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
                        std::move(output->said), std::move(output->spoken)};
 }
 
-Expected<void> LessonRun::command_world(const std::vector<WorldCommand>& commands) {
-    return world_channels_ ? to_world_.send(commands, world_channels_->commands) : Expected<void>{};
+// The lesson speaks to all alike; a simulated one goes where its own script wants, and on an arm on which things break to what it sees.
+void LessonRun::lead_hands(const SessionOutput& output) {
+    if (output.has_hand_target) {
+        if (hand().spoiled_counts() != nullptr) {
+            hand().see(nearest_.look(description(), effects_.newest_world(),
+                                     hands_.front()->state().tool_pose_W.position));
+        }
+        hands_.front()->aim({output.hand_target_W, output.hand_buttons, output.hand_key});
+    }
+    const std::size_t n = std::min(output.more_aims.size(), hands_.size() - 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (const HandAim& aim = output.more_aims[i]; aim.is_given) {
+            hands_[i + 1]->aim({aim.target_W, aim.buttons, {}});
+        }
+    }
 }
+
+// ---- what the lesson's own functions say aside, while nothing else happens
+
+Expected<LessonReply> LessonRun::ask_aside(const LessonEvent& event) {
+    LessonFrame frame = session_->newest_frame();
+    frame.dt_s = 0.0;
+    frame.events = {event};
+    frame.only_asks = true;
+    return process_->exchange(frame);
+}
+
+Expected<bool> LessonRun::ask_verdict(const JudgeEvent& judge) {
+    return ask_aside(judge).map([](const LessonReply& reply) {
+        return std::ranges::any_of(reply.commands, [](const LessonCommand& command) {
+            const auto* verdict = std::get_if<VerdictCommand>(&command);
+            return verdict != nullptr && verdict->right;
+        });
+    });
+}
+
+Expected<std::string> LessonRun::ask_knowledge(const AskedEvent& asked) {
+    return ask_aside(asked).map([](const LessonReply& reply) {
+        for (const LessonCommand& command : reply.commands) {
+            if (const auto* told = std::get_if<TellCommand>(&command)) {
+                return told->text;
+            }
+        }
+        return std::string();
+    });
+}
+
+Expected<void> LessonRun::happen_aside(const LessonEvent& event) {
+    return ask_aside(event).map([](const LessonReply& /*reply*/) {});
+}
+
+Expected<std::vector<AnswerChoice>> LessonRun::make_choices() {
+    const dialogue::Question* const question = session_->question();
+    if (question == nullptr) {
+        return std::vector<AnswerChoice>();
+    }
+    return fulcrum::runtime::make_choices(*question, [&](const AnswerSlots& slots) {
+        return ask_verdict({question->id, slots});
+    });
+}
+
+Expected<std::optional<std::string>> LessonRun::hear_pupil(double time_s) {
+    return pupil_.hear(time_s, *session_,
+                       [this](const JudgeEvent& judge) { return ask_verdict(judge); });
+}
+
+std::optional<HandWish> LessonRun::take_wish() {
+    std::optional<HandWish>& kept = hands_.front()->wish;
+    std::optional<HandWish> wish = kept;
+    if (kept) {
+        kept->key.clear();
+    }
+    return wish;
+}
+
+// ---- the end, and the picture
 
 double LessonRun::fade_shown_s() const {
     constexpr double kMargin_s = 0.05;  // some rounds beyond the gate's own fade
-    return plan_.haptic.safety.fade_s + kMargin_s;
+    return plan().haptic.safety.fade_s + kMargin_s;
+}
+
+std::optional<double> LessonRun::replay_end_s() const {
+    const ReplayedInput* const replayed = pupil_.replayed();
+    if (replayed == nullptr || replayed->record().samples.empty()) {
+        return std::nullopt;
+    }
+    // Half a round behind the last one, so that it is the last here too.
+    constexpr double kHalf = 0.5;
+    const double rate_hz = plan().haptic.rate_hz;
+    if (const ToldReplay* const told = rounds_.told()) {
+        return (static_cast<double>(told->n_rounds()) - kHalf) / rate_hz;
+    }
+    return replayed->record().samples.back().time_s + kHalf / rate_hz;
+}
+
+void LessonRun::fail_softly(const std::string& sentence) {
+    channels().lesson_failed.store(true, std::memory_order_release);
+    session_->end(EndReason::failed);
+    if (recorder_) {
+        recorder_->keep_failure(last_frame_s_, sentence);
+    }
+}
+
+Expected<void> LessonRun::finish_record() {
+    return recorder_ ? recorder_->finish() : Expected<void>{};
 }
 
 View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     Scenery scenery;
     scenery.time_s = last_frame_s_;
-    scenery.hand = seen(*hand_, channels_.state_for_lesson.value());
-    scenery.world = newest_world();
-    scenery.axles = newest_axles();
-    scenery.kite = newest_kite();
-    scenery.renders_force = hand_->renders_force();
-    const bool points = !scenery.renders_force && hand_->points();
-    scenery.ghost = points || plan_.haptic.tool != nullptr;
-    scenery.ghost_pose_W = points ? hand_->pointer_W() : scenery.hand.tool_pose_W;
-    show_more_hands(scenery);
-    return compose_view(session_->description(), plan_, session_->hud(), scenery, catalogue);
+    effects_.show(scenery);
+    const HandScenery first = hands_.front()->scenery();
+    scenery.hand = first.hand;
+    scenery.renders_force = hand().renders_force();
+    scenery.ghost = first.ghost || plan().haptic.tool != nullptr;
+    scenery.ghost_pose_W = first.ghost_pose_W;
+    for (std::size_t i = 1; i < hands_.size(); ++i) {
+        scenery.more_hands.push_back(hands_[i]->scenery());
+    }
+    return compose_view(session_->description(), plan(), session_->hud(), scenery, catalogue);
 }
 
 }  // namespace fulcrum::runtime

@@ -3,6 +3,7 @@
 #include "haptics/base/clock.h"
 #include "runtime/app/force_trial.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/run_told.h"
 #include "runtime/audio/openal/openal_microphone.h"
 
 #include <algorithm>
@@ -74,7 +75,7 @@ void LessonScreen::begin() {
     say_all(desktop_.picture->load_lesson(run_->description(), request_.folder));
     (void)desktop_.picture->take_notices();  // of other lessons, which the list has shown
     if (desktop_.sound) {
-        desktop_.sound->set_stream(run_->touch_sound());
+        desktop_.sound->set_stream(run_->effects().touch_sound());
     }
     if (run_->plan().microphone) {
         ear_ = std::make_unique<LiveEar>(run_->plan().hearing.listen, microphone_opener());
@@ -306,7 +307,7 @@ View LessonScreen::compose() const {
     if (run_) {
         input_.show(view);
         pictures_.show(view);
-        view.why = why_hand_ ? run_->why(*why_hand_, catalogue_) : ViewWhy{};
+        view.why = why_hand_ ? run_->why().show(*why_hand_, catalogue_) : ViewWhy{};
     }
     if (ear_) {
         ear_->show(view, catalogue_);
@@ -363,9 +364,9 @@ BeginHelp LessonScreen::find_begin_help() const {
     help.has_reel = run_->plan().kite.has_value();
     help.left_handed = run_->left_handed();
     help.may_ask = run_->session().hud().may_ask;
-    help.tells_why = run_->tells_why();
-    for (std::size_t hand = 0; hand < run_->n_hands(); ++hand) {
-        if (run_->hand_to_try(hand).can_push()) {
+    help.tells_why = run_->why().is_there();
+    for (std::size_t hand = 0; hand < run_->hands().size(); ++hand) {
+        if (run_->hand_at(hand).device->can_push()) {
             help.softer = run_->plan().softer;
         }
     }

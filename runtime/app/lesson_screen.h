@@ -55,7 +55,7 @@ class LessonScreen {
     // One hand after the other, then none.
     [[nodiscard]] std::optional<std::size_t> next_why_hand() const {
         const std::size_t next = why_hand_ ? *why_hand_ + 1 : 0;
-        return next < (run_ ? run_->n_hands() : 1) ? std::optional(next) : std::nullopt;
+        return next < (run_ ? run_->hands().size() : 1) ? std::optional(next) : std::nullopt;
     }
     void say_again();
     void exchange();

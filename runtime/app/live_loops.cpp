@@ -10,7 +10,7 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
     settings.epoch_s = epoch_s;
     settings.rate_Hz = run.plan().haptic.rate_hz;
     settings.lock_memory = true;
-    if (auto started = haptic_.start(run.hands_loop(), settings); !started) {
+    if (auto started = haptic_.start(run.rounds().task(), settings); !started) {
         return started;
     }
     if (BesideTask* const beside = run.haptic_loop().beside()) {
@@ -24,15 +24,15 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
     settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning
     settings.fifo_priority = 0;
     settings.lock_memory = false;
-    if (run.world_loop() != nullptr) {
+    if (run.effects().world_loop() != nullptr) {
         settings.rate_Hz = run.plan().world_rate_hz();
-        if (auto started = world_.start(*run.world_loop(), settings); !started) {
+        if (auto started = world_.start(*run.effects().world_loop(), settings); !started) {
             return started;
         }
     }
-    if (run.kite_loop() != nullptr) {
+    if (run.effects().kite_loop() != nullptr) {
         settings.rate_Hz = run.plan().kite->rate_hz;
-        return kite_.start(*run.kite_loop(), settings);
+        return kite_.start(*run.effects().kite_loop(), settings);
     }
     return {};
 }

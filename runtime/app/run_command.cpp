@@ -10,6 +10,7 @@
 #include "runtime/app/open_store.h"
 #include "runtime/app/picture.h"
 #include "runtime/app/run_request.h"
+#include "runtime/app/run_told.h"
 #include "runtime/app/stop_signal.h"
 
 #include <cstdio>
@@ -83,7 +84,7 @@ class ScreenshotTaker {
 // Whether the forces of each hand were those of the record that was repeated; the exit code.
 int tell_replay(const LessonRun& run) {
     int code = 0;
-    for (std::size_t hand = 0; hand < run.n_hands(); ++hand) {
+    for (std::size_t hand = 0; hand < run.hands().size(); ++hand) {
         if (const ReplayCheck* const check = run.replay_check(hand)) {
             std::printf("%s%s\n", hand == 0 ? "" : "The second hand: ", check->sentence().c_str());
             code = check->report().same() ? code : kForcesDiffer;
@@ -140,7 +141,7 @@ int run_without_window(const Installation& installation, const Options& options,
     if (outcome->interrupted) {
         std::fprintf(stderr, "Ended by a signal; what there is of the run is kept.\n");
     }
-    tell_felt((*run)->felt_times(), (*run)->description().id);
+    tell_felt(felt_times_of((*run)->hands()), (*run)->description().id);
     if (const std::string unsaid = unsaid_of(**run, *outcome); !unsaid.empty()) {
         std::fprintf(stderr, "%s\n", unsaid.c_str());
     }

@@ -176,8 +176,8 @@ Expected<FrameInput> SimulatedDesk::step(double now_s, double dt_s) {
     events.pointer_x_px = pointer_px_.x();
     events.pointer_y_px = pointer_px_.y();
     const auto wish = run_.take_wish();
-    if (const auto second = run_.second_wish()) {
-        move_by_keys(*second, dt_s, events);
+    if (run_.hands().size() > 1 && run_.hand_at(1).wish) {
+        move_by_keys(*run_.hand_at(1).wish, dt_s, events);
     }
     if (wish) {
         move(*wish, dt_s, events);

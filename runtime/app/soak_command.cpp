@@ -282,9 +282,9 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     const auto outcome = run_headless(**run, settings);
     const auto recorded = (*run)->finish_record();
     SoakRun result;
-    result.arm = *(*run)->spoiled_counts();
+    result.arm = *(*run)->hand().spoiled_counts();
     result.model = request.spoil_model;
-    result.limits = (*run)->spoiled_limits();
+    result.limits = (*run)->hand().spoiled_limits();
     result.wall_s = monotonic_now_s() - began_s;
     result.simulated_s = static_cast<double>(result.arm.rounds) / kRounds_Hz;
     spoiler.end(result.arm.force_N);

@@ -60,9 +60,6 @@ class List {
     }
 
   private:
-    [[nodiscard]] const HapticPlan& plan_of(std::size_t hand) const {
-        return hand == 0 ? plan_.haptic : plan_.more_hands[hand - 1];
-    }
     void add_rate(std::size_t hand);
     void add_velocity(std::size_t hand, const DeviceTraits& device);
     void add_touch(std::size_t hand);
@@ -75,17 +72,13 @@ class List {
     std::vector<Knob> knobs_;
 };
 
-HapticPlan& hand_of(Plan& plan, std::size_t hand) {
-    return hand == 0 ? plan.haptic : plan.more_hands[hand - 1];
-}
-
 void List::add_rate(std::size_t hand) {
-    const double rate_hz = plan_of(hand).rate_hz;
+    const double rate_hz = plan_.of_hand(hand).rate_hz;
     Knob knob{.what = "rounds of " + times(rate_hz, "Hz")};
     knob.n_parts = kFinestRounds;
     knob.against = times(kFinestRounds * rate_hz, "Hz") + ", evenly from pose to pose";
     knob.converge = [hand](Plan& plan) {
-        HapticPlan& finer = hand_of(plan, hand);
+        HapticPlan& finer = plan.of_hand(hand);
         finer.rate_hz *= kFinestRounds;
         finer.safety.engage_cycles *= kFinestRounds;
     };
@@ -95,7 +88,7 @@ void List::add_rate(std::size_t hand) {
 void List::add_velocity(std::size_t hand, const DeviceTraits& device) {
     constexpr std::array<const char*, 4> kMethods{"filtered difference", "adaptive window",
                                                   "finite difference", "Kalman filter"};
-    const HapticPlan& plan = plan_of(hand);
+    const HapticPlan& plan = plan_.of_hand(hand);
     Knob knob{.what = std::string("velocity by ") +
                       kMethods[static_cast<std::size_t>(plan.velocity_method)] +
                       ", turning below " + times(plan.velocity_cutoff_hz, "Hz")};
@@ -105,21 +98,21 @@ void List::add_velocity(std::size_t hand, const DeviceTraits& device) {
         knob.against = "the way from pose to pose";
         knob.converge = [hand](Plan& changed) {
             constexpr double kAllPass_Hz = 1.0e6;
-            hand_of(changed, hand).velocity_method = VelocityMethod::finite_difference;
-            hand_of(changed, hand).velocity_cutoff_hz = kAllPass_Hz;
+            changed.of_hand(hand).velocity_method = VelocityMethod::finite_difference;
+            changed.of_hand(hand).velocity_cutoff_hz = kAllPass_Hz;
         };
     }
     add(hand, HapticStage::estimate, std::move(knob));
 }
 
 void List::add_touch(std::size_t hand) {
-    const HapticPlan& plan = plan_of(hand);
+    const HapticPlan& plan = plan_.of_hand(hand);
     if (plan.proxy.kind == ProxyKind::friction_cone) {
         Knob knob{
             .what = "rounds of the friction cone: " + std::to_string(plan.proxy.friction_rounds),
             .against = std::to_string(kConvergedRounds)};
         knob.converge = [hand](Plan& changed) {
-            hand_of(changed, hand).proxy.friction_rounds = kConvergedRounds;
+            changed.of_hand(hand).proxy.friction_rounds = kConvergedRounds;
         };
         add(hand, HapticStage::proxy, std::move(knob));
     }
@@ -139,7 +132,7 @@ void List::add_touch(std::size_t hand) {
 }
 
 void List::add_relief(std::size_t hand) {
-    const auto& solids = plan_of(hand).solids;
+    const auto& solids = plan_.of_hand(hand).solids;
     const auto rough = std::ranges::find_if(
         solids, [](const SolidPlan& solid) { return solid.surface.texture.any(); });
     if (rough == solids.end()) {
@@ -169,16 +162,16 @@ void List::add_points(std::size_t hand) {
 }
 
 void List::add_tool(std::size_t hand) {
-    const auto& tool = plan_of(hand).tool;
+    const auto& tool = plan_.of_hand(hand).tool;
     if (!tool) {
         return;
     }
     // Of a plan of its own: the other has the same.
     const auto with = [hand](auto change) {
         return [hand, change](Plan& plan) {
-            auto changed = std::make_shared<ToolPlan>(*hand_of(plan, hand).tool);
+            auto changed = std::make_shared<ToolPlan>(*plan.of_hand(hand).tool);
             change(*changed);
-            hand_of(plan, hand).tool = std::move(changed);
+            plan.of_hand(hand).tool = std::move(changed);
         };
     };
     const auto put = [&](std::string what, std::string against, std::function<void(Plan&)> how) {
@@ -231,17 +224,17 @@ void List::add_hand(std::size_t hand, const DeviceTraits& device) {
     add_touch(hand);
     add_relief(hand);
     add_tool(hand);
-    if (plan_of(hand).lesson_force) {
-        Knob knob{.what = "answers of " + times(plan_of(hand).lesson_rate_hz, "Hz"),
+    if (plan_.of_hand(hand).lesson_force) {
+        Knob knob{.what = "answers of " + times(plan_.of_hand(hand).lesson_rate_hz, "Hz"),
                   .against = "each round between the answers before and behind it",
                   .reach = KnobReach::answers};
         knob.converge = [hand](Plan& plan) {
-            hand_of(plan, hand).lesson_rate_hz = hand_of(plan, hand).rate_hz;
+            plan.of_hand(hand).lesson_rate_hz = plan.of_hand(hand).rate_hz;
         };
         add(hand, HapticStage::lesson, std::move(knob));
     }
     Knob brake{.what = "the brake", .against = "none"};
-    brake.converge = [hand](Plan& plan) { hand_of(plan, hand).passivity.on = false; };
+    brake.converge = [hand](Plan& plan) { plan.of_hand(hand).passivity.on = false; };
     add(hand, HapticStage::passivity, std::move(brake));
 }
 

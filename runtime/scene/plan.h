@@ -104,6 +104,12 @@ struct KitePlan {
 struct Plan {
     HapticPlan haptic{};
     std::vector<HapticPlan> more_hands;  ///< of the hands beside it, a loop each
+    [[nodiscard]] HapticPlan& of_hand(std::size_t hand) {
+        return hand == 0 ? haptic : more_hands[hand - 1];
+    }
+    [[nodiscard]] const HapticPlan& of_hand(std::size_t hand) const {
+        return hand == 0 ? haptic : more_hands[hand - 1];
+    }
     std::optional<WorldPlan> world;      ///< absent when nothing falls and is caught
     std::optional<RigidLoopPlan> rigid;  ///< absent without rigid bodies; never with the other
     std::optional<KitePlan> kite;        ///< absent when nothing flies

@@ -361,7 +361,7 @@ TEST_CASE("soak report: trouble, and memory that grows, fail it") {
     CHECK(conclude_soak(sum_of(run), true, {}) == 1);
     CHECK(conclude_soak(sum_of(make_whole()), true, {2.0, 0.0}) == 1);
     CHECK(conclude_soak(sum_of(make_whole()), true, {0.0, 100.0}) == 1);
-    CHECK(conclude_soak(sum_of(make_whole()), true, {0.5, 20.0}) == 0);
+    CHECK(conclude_soak(sum_of(make_whole()), true, {0.5, 10.0}) == 0);
 }
 
 TEST_CASE("soak report: how fast it was is told by the clock and by what the processor did") {

@@ -1,5 +1,5 @@
-// What a run tells a person at the terminal; for lesson_run.cpp.
-#include "runtime/app/lesson_run.h"
+#include "runtime/app/run_told.h"
+
 #include "runtime/app/tool_lacks.h"
 
 #include <array>
@@ -7,23 +7,20 @@
 
 namespace fulcrum::runtime {
 
-std::vector<std::string> LessonRun::losses() const {
+std::vector<std::string> find_losses(LessonRun& run) {
     std::vector<std::string> sentences;
     const auto tell = [&](std::uint64_t n, const char* what) {
         if (n > 0) {
             sentences.push_back(std::to_string(n) + " " + what);
         }
     };
-    tell(recorder_ ? recorder_->dropped() : 0,
-         "rounds are missing in the record: the disk was too slow.");
-    if (world_loop_) {
-        tell(world_channels_->events.dropped(),
-             "catches or landings were not told to the lesson: it answered too slowly.");
-        tell(world_loop_->world().ignored_commands(),
-             "commands to bodies were ignored: no such body, or no finite place.");
-    }
-    tell(world_effort().n_unconverged, kUnconvergedWords);
-    if (const auto link = hand_->link_status()) {
+    tell(run.n_rounds_dropped(), "rounds are missing in the record: the disk was too slow.");
+    tell(run.effects().n_events_dropped(),
+         "catches or landings were not told to the lesson: it answered too slowly.");
+    tell(run.effects().n_commands_ignored(),
+         "commands to bodies were ignored: no such body, or no finite place.");
+    tell(run.effects().world_effort().n_unconverged, kUnconvergedWords);
+    if (const auto link = run.hand().link_status()) {
         constexpr double kMilli = 1.0e3;
         std::array<char, 240> text{};
         std::snprintf(text.data(), text.size(),
@@ -36,7 +33,7 @@ std::vector<std::string> LessonRun::losses() const {
                       static_cast<unsigned long long>(link->counts.refused()));
         sentences.emplace_back(text.data());
     }
-    const ToolEffort& tool = channels_.state_for_lesson.value().tool;
+    const ToolEffort& tool = run.channels().state_for_lesson.value().tool;
     if (tool.n_inexact > 0) {
         std::array<char, 160> text{};
         std::snprintf(text.data(), text.size(),
@@ -50,7 +47,7 @@ std::vector<std::string> LessonRun::losses() const {
         tell(tool.n_lacking[i],
              (std::string("steps of the tool ") + kToolLackWords[i] + ".").c_str());
     }
-    if (const ContactLateness* const late = haptic_loop_->contact_lateness();
+    if (const ContactLateness* const late = run.haptic_loop().contact_lateness();
         late != nullptr && late->n_late() > 0) {
         std::array<char, 160> text{};
         std::snprintf(text.data(), text.size(),
@@ -77,8 +74,8 @@ void say_notices(const LessonRun& run) {
     }
 }
 
-void say_losses(const LessonRun& run) {
-    for (const std::string& sentence : run.losses()) {
+void say_losses(LessonRun& run) {
+    for (const std::string& sentence : find_losses(run)) {
         std::fprintf(stderr, "%s\n", sentence.c_str());
     }
 }

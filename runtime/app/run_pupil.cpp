@@ -1,44 +1,6 @@
-// lesson_run.h: what the simulated pupil says and its hand wants.
-#include "runtime/app/lesson_run.h"
+#include "runtime/app/run_pupil.h"
 
 namespace fulcrum::runtime {
-
-Expected<std::optional<std::string>> LessonRun::hear_pupil(double time_s) {
-    const SessionHud& hud = session_->hud();
-    const dialogue::Question* const question = session_->question();
-    if (!pupil_) {
-        return std::optional<std::string>();
-    }
-    if (hud.may_ask) {
-        return pupil_->ask(time_s);
-    }
-    if (question == nullptr || !hud.question_open || hud.invited) {
-        return std::optional<std::string>();
-    }
-    return pupil_->answer(hud.question_asked_at_s, time_s, *question,
-                          [&](const AnswerSlots& slots) {
-                              return ask_verdict({question->id, slots});
-                          });
-}
-
-std::optional<HandWish> LessonRun::take_wish() {
-    std::optional<HandWish> wish = wish_;
-    if (wish_) {
-        wish_->key.clear();
-    }
-    return wish;
-}
-
-Expected<std::vector<AnswerChoice>> LessonRun::make_choices() {
-    const dialogue::Question* const question = session_->question();
-    if (question == nullptr) {
-        return std::vector<AnswerChoice>();
-    }
-    return fulcrum::runtime::make_choices(*question, [&](const AnswerSlots& slots) {
-        return ask_verdict({question->id, slots});
-    });
-}
-
 namespace {
 
 // How often a simulated learner errs, where one was asked for or the lesson's own test, null where it is not played, has one.
@@ -52,8 +14,7 @@ std::optional<LearnerRates> find_pupil_rates(const RunRequest& request,
 
 }  // namespace
 
-// Whose answers: a learner who errs at some rate, the words of the lesson's own test, or those that were given.
-void LessonRun::choose_pupil(const LessonDescription& description, const RunRequest& request) {
+RunPupil::RunPupil(const LessonDescription& description, const RunRequest& request) {
     if (repeats_input(request)) {
         replayed_.emplace(request.replayed);
         return;
@@ -74,6 +35,26 @@ void LessonRun::choose_pupil(const LessonDescription& description, const RunRequ
         say_line_ = says_own ? description.tests.front().line : 0;
         n_given_lines_ = says_own ? 0 : request.say.size();
     }
+}
+
+Expected<std::optional<std::string>> RunPupil::hear(
+    double time_s, const LessonSession& session,
+    const std::function<Expected<bool>(const JudgeEvent&)>& ask_verdict) {
+    const SessionHud& hud = session.hud();
+    const dialogue::Question* const question = session.question();
+    if (!pupil_) {
+        return std::optional<std::string>();
+    }
+    if (hud.may_ask) {
+        return pupil_->ask(time_s);
+    }
+    if (question == nullptr || !hud.question_open || hud.invited) {
+        return std::optional<std::string>();
+    }
+    return pupil_->answer(hud.question_asked_at_s, time_s, *question,
+                          [&](const AnswerSlots& slots) {
+                              return ask_verdict({question->id, slots});
+                          });
 }
 
 }  // namespace fulcrum::runtime
