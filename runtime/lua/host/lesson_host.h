@@ -4,7 +4,7 @@
 // A lesson's force function f(x, v) gives a force F or, with six numbers, a force and a torque T. It is handed over with
 // its slopes by central differences,
 //   dF/dx_j ~ (F(x + h e_j, v) - F(x - h e_j, v)) / 2h,   dT/dx_j likewise,   dF/dv_j likewise with k,
-// exact for what is linear in x and v; every entry is limited (wire.h), for a jump has no slope. There is no dT/dv:
+// exact for what is linear in x and v; every entry is limited (wire_limits.h), for a jump has no slope. There is no dT/dv:
 // field/linearised_wrench.h says why.
 //
 // Thread: one. Cost: a frame of 8 bodies about 10 us, plus what the lesson does.
