@@ -86,7 +86,7 @@ class VirtualProxy final : public SurfaceObject {
     static constexpr int kMostCasts = 64;      ///< in a step; a smooth surface takes about 3
     static constexpr int kMostTurnCasts = 16;  ///< and in a turn before it
 
-    // Turning (virtual_proxy_turn.cpp).
+    // Turning (virtual_proxy_solids.cpp).
     [[nodiscard]] bool try_turn(const Quaternion& turn_W, double angle_rad) noexcept;
     void follow_turn(const Quaternion& hand_turn_W) noexcept;
     void put_turn(const Quaternion& turn_W) noexcept;
