@@ -14,6 +14,38 @@ namespace {
 constexpr double kSameNormal = 1.0e-3;  // radians
 
 using Pushes = std::array<double, kMaxTouches>;
+using Planes = std::array<DampedPlane, kMaxTouches>;
+
+// `plane` and another, each with its share of the push.
+void join(const DampedPlane& other, DampedPlane& plane) noexcept {
+    const double push_N = plane.push_N + other.push_N;
+    const double share = push_N > 0.0 ? other.push_N / push_N : 0.0;
+    plane.normal_W += share * (other.normal_W - plane.normal_W);
+    plane.velocity_W += share * (other.velocity_W - plane.velocity_W);
+    plane.friction_coefficient += share * (other.friction_coefficient - plane.friction_coefficient);
+    plane.damping_Ns_per_m += share * (other.damping_Ns_per_m - plane.damping_Ns_per_m);
+    plane.drag_N_W += other.drag_N_W;
+    plane.push_N = push_N;
+}
+
+// How the push is shared among planes that face one way is chance: to the damper they are one.
+std::span<const DampedPlane> join_same(std::span<const DampedPlane> planes,
+                                       Planes& joined) noexcept {
+    std::size_t n = 0;
+    for (const DampedPlane& plane : planes) {
+        std::size_t k = 0;
+        while (k < n &&
+               compute_length(Vector3(plane.normal_W - joined[k].normal_W)) > kSameNormal) {
+            ++k;
+        }
+        if (k < n) {
+            join(plane, joined[k]);
+        } else {
+            joined[n++] = plane;
+        }
+    }
+    return {joined.data(), n};
+}
 
 // w: built up along directions that are made perpendicular one after the other.
 Vector3 find_common_rate(std::span<const DampedPlane> planes) noexcept {
@@ -70,30 +102,41 @@ bool has_friction(const DampedPlane& plane) noexcept {
     return plane.friction_coefficient > 0.0 || plane.drag_N_W.squaredNorm() > 0.0;
 }
 
-}  // namespace
-
-Vector3 compute_contact_damping(std::span<const DampedPlane> planes) noexcept {
-    if (planes.empty()) {
-        return Vector3::Zero();
-    }
+// Of planes that each face another way.
+ContactDamping damp_apart(std::span<const DampedPlane> planes) noexcept {
     const Pushes pushes =
         planes.size() == 1 ? Pushes{damp_push(planes.front())} : damp_pushes(planes);
     const auto n_rough = static_cast<double>(std::ranges::count_if(planes, has_friction));
-    Vector3 added_W = Vector3::Zero();
+    ContactDamping added;
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const DampedPlane& plane = planes[i];
-        added_W += (pushes[i] - plane.push_N) * plane.normal_W;
+        added.force_W += (pushes[i] - plane.push_N) * plane.normal_W;
         if (has_friction(plane)) {
             const Vector3 along_W =
                 plane.velocity_W - plane.normal_W.dot(plane.velocity_W) * plane.normal_W;
-            const double viscous_N = std::max(
-                compute_length(plane.drag_N_W) - plane.friction_coefficient * plane.push_N, 0.0);
-            added_W += shorten<3>(plane.drag_N_W - plane.damping_Ns_per_m / n_rough * along_W,
-                                  plane.friction_coefficient * pushes[i] + viscous_N) -
-                       plane.drag_N_W;
+            const double drag_N = compute_length(plane.drag_N_W);
+            const double viscous_N =
+                std::max(drag_N - plane.friction_coefficient * plane.push_N, 0.0);
+            const double most_N = plane.friction_coefficient * pushes[i] + viscous_N;
+            added.force_W +=
+                shorten<3>(plane.drag_N_W - plane.damping_Ns_per_m / n_rough * along_W, most_N) -
+                plane.drag_N_W;
+            if (drag_N > most_N) {
+                added.eased_W += (most_N / drag_N - 1.0) * plane.drag_N_W;
+            }
         }
     }
-    return added_W;
+    return added;
+}
+
+}  // namespace
+
+ContactDamping compute_contact_damping(std::span<const DampedPlane> planes) noexcept {
+    if (planes.empty()) {
+        return {};
+    }
+    Planes joined;
+    return damp_apart(planes.size() == 1 ? planes : join_same(planes, joined));
 }
 
 }  // namespace fulcrum

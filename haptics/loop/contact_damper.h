@@ -8,13 +8,14 @@
 //   sum N_i n_i,  N_i >= 0:  what lies nearest to  sum q_i n_i - b w  in the cone of the normals
 //   t_i = T_i - (b_i / m) (u_i - n_i (n_i . u_i)), shortened to mu_i N_i + max(|T_i| - mu_i q_i, 0)      m planes with friction
 // So nothing is asked along a surface without friction, the force lies where the normals are, shaded ones too, and friction stays in its
-// cone, with what is viscous in it. Normals that are one to 1e-3 count once.
+// cone, with what is viscous in it. Planes whose normals are one to 1e-3 are one plane, of all their pushes and drags: at the edge of an even
+// mesh, where a proxy leans on two faces, how these share the push is chance, and a circle about either's share would let through as much again.
 //
 // Passive for solids at rest: u = u_i, and w is the projection of u. A projection onto a convex set that holds S = sum q_i n_i gives
 // (F - S) . (-b w) >= |F - S|^2, and F - S lies in the span, so what is added takes at least |F - S|^2 / b from the hand. Likewise along a
 // plane as long as its disc holds T_i; where a plane is pushed less than by its spring it may not, and friction takes less than the spring
-// claims: that much the passivity stage counts (passivity.h). Sampled, the line is that of Colgate and Schenkel along each direction
-// of the span, as for one wall: b > K T / 2.
+// claims, by `eased_W`: that much is the passivity stage's to count (passivity.h), or lent (contact_stage.h). Sampled, the line is that of Colgate
+// and Schenkel along each direction of the span, as for one wall: b > K T / 2.
 //
 // Thread: haptic loop. Cost: about 10 ns for one plane, 100 ns for more; no allocation.
 // Source: derived here. J. J. Moreau 1962, Decomposition orthogonale d'un espace hilbertien selon deux cones mutuellement polaires, C. R.
@@ -38,7 +39,13 @@ struct DampedPlane {
     double damping_Ns_per_m = 0.0;        ///< b
 };
 
-/// All normal and tangential forces less the springs' own sum of q_i n_i + T_i: newtons on the hand. At most three planes.
-[[nodiscard]] Vector3 compute_contact_damping(std::span<const DampedPlane> planes) noexcept;
+struct ContactDamping {
+    /// All normal and tangential forces less the springs' own sum of q_i n_i + T_i: newtons on the hand.
+    Vector3 force_W{Vector3::Zero()};
+    /// What of it is no damper's: planes that are pushed less than by their springs hold less of T_i.
+    Vector3 eased_W{Vector3::Zero()};
+};
+/// At most three planes.
+[[nodiscard]] ContactDamping compute_contact_damping(std::span<const DampedPlane> planes) noexcept;
 
 }  // namespace fulcrum

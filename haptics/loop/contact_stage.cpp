@@ -18,6 +18,17 @@ Vector3 turn_along(const Vector3& from, const Vector3& to, const Vector3& v) noe
                : v;
 }
 
+// A drag is that of the face on which friction was solved; on the one where the proxy came to lie its part out of it pushes, and the rest is
+// held as far as that push may hold it.
+void lay_along(const Vector3& face_W, DampedPlane& plane) noexcept {
+    const double out = plane.drag_N_W.dot(face_W);
+    const double viscous =
+        std::max(compute_length(plane.drag_N_W) - plane.friction_coefficient * plane.push_N, 0.0);
+    plane.push_N = std::max(plane.push_N + out, 0.0);
+    plane.drag_N_W = shorten<3>(plane.drag_N_W - out * face_W,
+                                plane.friction_coefficient * plane.push_N + viscous);
+}
+
 }  // namespace
 
 const CouplingSettings& ContactStage::coupling_of(std::int32_t solid) const noexcept {
@@ -79,12 +90,15 @@ ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand
             felt.spring.normal = touches_[0].normal_W;
         }
     }
-    felt.counted = shading_.empty() ? ElasticForce{plain_W, plain_W}
-                                    : count(plain_W, felt.spring.force, hand_W, solid_poses_W);
     for (std::size_t i = 0; i < n_touches_; ++i) {
         touches_[i].stiffness_N_per_m = stretch_m > 0.0 ? force_N / stretch_m : 0.0;
     }
-    felt.force_W = felt.spring.force + damp(held_m > 0.0 ? force_N / held_m : 0.0);
+    const ContactDamping damping = damp(held_m > 0.0 ? force_N / held_m : 0.0);
+    felt.counted = shading_.empty() ? ElasticForce{plain_W, plain_W}
+                                    : count({plain_W, felt.spring.energy_J},
+                                            felt.spring.force - plain_W + damping.eased_W, hand_W,
+                                            solid_poses_W);
+    felt.force_W = felt.spring.force + damping.force_W;
     felt.force_W -= std::min(felt.force_W.dot(felt.spring.normal), 0.0) * felt.spring.normal;
     felt.spring.push = felt.force_W.dot(felt.spring.normal);
     return felt;
@@ -104,12 +118,17 @@ std::int32_t ContactStage::find_shaded() const noexcept {
     return found;
 }
 
+bool ContactStage::touches_only(std::int32_t solid) const noexcept {
+    return std::ranges::all_of(touches(),
+                               [=](const TouchForce& touch) { return touch.solid == solid; });
+}
+
 // What of the spring's force gives back the hand's work: all of it as it was, and what shading turned of it as far as that is lent. The
 // hand's way is that against the solid: what moves on with the hand gives it nothing by its facets.
-ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W,
+ElasticForce ContactStage::count(const PlainSpring& plain, const Vector3& lent_W,
                                  const Vector3& hand_W,
                                  std::span<const Pose> solid_poses_W) noexcept {
-    ElasticForce counted{plain_W, plain_W};
+    ElasticForce counted{plain.force_W, plain.force_W};
     const std::int32_t solid = find_shaded();
     if (solid == kNoBody || static_cast<std::size_t>(solid) >= solid_poses_W.size()) {
         loan_.leave(period_s_);
@@ -118,6 +137,7 @@ ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W
     }
     const auto index = static_cast<std::size_t>(solid);
     const Pose& pose_W = solid_poses_W[index];
+    const bool is_only = touches_only(solid);
     Vector3 moved_W = Vector3::Zero();
     Vector3 against_W = Vector3::Zero();
     if (lender_ != kNoBody) {
@@ -125,9 +145,16 @@ ElasticForce ContactStage::count(const Vector3& plain_W, const Vector3& shaded_W
         moved_W = hand_W - hand_W_;
         against_W = solid == lender_ ? Vector3(hand_W - pose_W * hand_B_) : moved_W;
     }
-    loan_.allow(compute_length(plain_W) * shading_[index]->bump_m(), period_s_);
-    counted += loan_.step_evenly(shaded_W - plain_W, moved_W, against_W);
+    // What the proxy let go of as it slipped: the hand has paid it, and none of it comes back.
+    const double paid_J = solid == lender_ && is_only && only_lender_
+                              ? plain_.energy_J - plain.energy_J -
+                                    0.5 * (plain_.force_W + plain.force_W).dot(against_W)
+                              : 0.0;
+    loan_.allow(compute_length(plain.force_W) * shading_[index]->bump_m(), period_s_);
+    counted += loan_.step_evenly(lent_W, moved_W, against_W, paid_J);
     lender_ = solid;
+    only_lender_ = is_only;
+    plain_ = plain;
     hand_W_ = hand_W;
     hand_B_ = pose_W.inverse() * hand_W;
     return counted;
@@ -142,7 +169,7 @@ void ContactStage::leave() noexcept {
 }
 
 // What the touches' dampers add, with a spring of so many newtons a metre.
-Vector3 ContactStage::damp(double N_per_m) noexcept {
+ContactDamping ContactStage::damp(double N_per_m) noexcept {
     const std::span planes(planes_.data(), n_touches_);
     for (DampedPlane& plane : planes) {
         plane.push_N *= N_per_m;
@@ -169,7 +196,8 @@ bool ContactStage::shade(const ProxyContact& contact,
                                           turn_BW * touch.normal_W);
             any = true;
         }
-        planes_[i].drag_N_W = turn_along(touch.normal_W, touches_[i].normal_W, touch.drag_W);
+        lay_along(touch.normal_W, planes_[i]);
+        planes_[i].drag_N_W = turn_along(touch.normal_W, touches_[i].normal_W, planes_[i].drag_N_W);
         planes_[i].normal_W = touches_[i].normal_W;
     }
     return any;

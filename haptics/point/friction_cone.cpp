@@ -85,6 +85,7 @@ std::span<FrictionPlane> FrictionCone::hold(const Vector3& hand_W, Planes& stora
 void FrictionCone::share_drag(std::span<const SolidTouch> before,
                               std::span<const FrictionPlane> planes) noexcept {
     for (std::size_t i = 0; i < planes.size(); ++i) {
+        const double coefficient = find_coefficient(planes[i]);
         SolidTouch* best = contact_.touches.data();
         int best_match = -1;
         for (std::int32_t k = 0; k < contact_.n_constraints; ++k) {
@@ -96,10 +97,13 @@ void FrictionCone::share_drag(std::span<const SolidTouch> before,
                 best = &touch;
                 best_match = match;
             }
+            // The solid's matter is as rough at a plane that was only just met.
+            if (match > 0) {
+                touch.friction_coefficient = std::max(touch.friction_coefficient, coefficient);
+            }
         }
         best->drag_W += planes[i].drag;
-        best->friction_coefficient =
-            std::max(best->friction_coefficient, find_coefficient(planes[i]));
+        best->friction_coefficient = std::max(best->friction_coefficient, coefficient);
     }
 }
 

@@ -34,7 +34,7 @@ void LoanAccount::allow(double limit_J, double dt_s) noexcept {
 }
 
 void LoanAccount::forgive(double energy_J) noexcept {
-    if (owed_J_ > 0.0 && std::isfinite(energy_J)) {
+    if (owed_J_ > 0.0 && energy_J > 0.0 && std::isfinite(energy_J)) {
         owed_J_ = std::max(owed_J_ - energy_J, 0.0);
     }
 }
@@ -51,11 +51,12 @@ bool LoanAccount::may_give(double given_J) noexcept {
     return true;
 }
 
-double LoanAccount::take(double given_J) noexcept {
+double LoanAccount::take(double given_J, double paid_J) noexcept {
     if (!std::isfinite(given_J)) {
         return 0.0;
     }
     owe(given_J);
+    forgive(paid_J);
     const double beyond_J = std::min(std::max(owed_J_ - limit_J_, 0.0), std::max(given_J, 0.0));
     owed_J_ -= beyond_J;
     return beyond_J;
@@ -79,10 +80,10 @@ ElasticForce EnergyLoan::step(const Vector3& next_W, const Vector3& motion_W) no
 }
 
 ElasticForce EnergyLoan::step_evenly(const Vector3& next_W, const Vector3& motion_W,
-                                     const Vector3& against_W) noexcept {
+                                     const Vector3& against_W, double paid_J) noexcept {
     account_.forgive(kUnfelt_N * against_W.norm());
     const double beyond_J =
-        account_.take(find_given_J(0.5 * (force_W_ + next_W), motion_W, against_W));
+        account_.take(find_given_J(0.5 * (force_W_ + next_W), motion_W, against_W), paid_J);
     const ElasticForce counted{next_W, next_W - find_force(beyond_J, motion_W, against_W)};
     force_W_ = next_W;
     return counted;

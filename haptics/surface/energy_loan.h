@@ -16,6 +16,8 @@
 // Of a force that goes on evenly between the rounds, as a shaded contact's does, (T_(n-1) + T_n)/2 . d stands for T . d: what the hold
 // alone gives or takes would add up to as much as is lent. Of that kUnfelt_N . |d| are forgiven: a proxy creeps over facets by steps, and
 // a shaded direction is wrong by some hundredths of a degree, so that strokes which nobody would call driven give 0.001 to 0.006 N of it.
+// And what the hand is known to have given besides for nothing is paid off a debt, and never makes a credit: whatever was lent by then, hand and
+// scene together have no more than before.
 // Of a wrench T . d is that of force and torque together, one loan for both: what turns about its contact gives by one what it takes by
 // the other. What falls due is shared out to the two by what each gave.
 // Thread: haptic loop. Cost: about 5 ns. Source: ours; the idea of a bounded tank is that of S. Stramigioli and C. Secchi
@@ -52,8 +54,8 @@ class LoanAccount {
     void settle() noexcept { limit_J_ = owed_J_ = 0.0; }
     /// Of a debt, not of a credit.
     void forgive(double energy_J) noexcept;
-    /// x: what of `given_J` falls due at once. Of what is no number nothing is given.
-    [[nodiscard]] double take(double given_J) noexcept;
+    /// x: what of `given_J` falls due at once; of a debt `paid_J` is paid before. Of what is no number nothing is given.
+    [[nodiscard]] double take(double given_J, double paid_J = 0.0) noexcept;
     /// Of energy that comes all at once, and may be refused: whether so much more is lent. Where it is, it is owed; what comes back, below
     /// 0, always is taken.
     [[nodiscard]] bool may_give(double given_J) noexcept;
@@ -83,9 +85,10 @@ class EnergyLoan {
 
     /// Counts the period that has just ended with the hand `motion_W` further, and takes over the force of the next.
     [[nodiscard]] ElasticForce step(const Vector3& next_W, const Vector3& motion_W) noexcept;
-    /// The same of a force that goes on evenly from round to round, upon a surface against which the hand went `against_W`.
+    /// The same of a force that goes on evenly from round to round, upon a surface against which the hand went `against_W`. `paid_J`: what
+    /// the hand gave besides and does not get back.
     [[nodiscard]] ElasticForce step_evenly(const Vector3& next_W, const Vector3& motion_W,
-                                           const Vector3& against_W) noexcept;
+                                           const Vector3& against_W, double paid_J) noexcept;
 
     [[nodiscard]] double owed_J() const noexcept { return account_.owed_J(); }
     [[nodiscard]] double limit_J() const noexcept { return account_.limit_J(); }

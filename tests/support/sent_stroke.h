@@ -20,14 +20,17 @@ struct Place {
 using Way = std::function<Place(double way_m)>;
 
 struct SentStroke {
-    double sideways_N = 0.0;  ///< root mean square, less what the spring alone has
-    double along_N = -1.0e9;  ///< most that points along the way
-    double cone = 0.0;        ///< most of tangential over normal force while it slides
+    double sideways_N = 0.0;    ///< root mean square, less what the spring alone has
+    double along_N = -1.0e9;    ///< most that points along the way
+    double cone = 0.0;          ///< most of tangential over normal force while it slides
+    double least_cone = 1.0e9;  ///< and the least
 };
 
-/// Strokes with 2 N of the spring, after coming in from outside.
+/// Strokes with 2 N of the spring, after coming in from outside. What is sent is judged by the normal that `normal_at` has at the proxy, which
+/// friction holds back; without it by that over the hand.
 inline SentStroke stroke(SentForce& loop, const Material& material, const Way& way,
-                         double speed_m_per_s) {
+                         double speed_m_per_s,
+                         const std::function<Vector3(const Vector3& place_W)>& normal_at = {}) {
     constexpr double kDt_s = 0.001;
     constexpr double kAway_m = 0.002;
     const auto hand_at = [&](double way_m, double deep_m) {
@@ -49,11 +52,15 @@ inline SentStroke stroke(SentForce& loop, const Material& material, const Way& w
         const Vector3 hand_W = place.at_W - deep_m * place.normal_W;
         const Vector3 force_W = loop.step(hand_W);
         if (way_m > settled_m) {
-            const Vector3 side_W = force_W - force_W.dot(place.normal_W) * place.normal_W;
+            const Vector3 normal_W =
+                normal_at ? normal_at(loop.state().proxy_position_W) : place.normal_W;
+            const Vector3 side_W = force_W - force_W.dot(normal_W) * normal_W;
             const Vector3 moved_W = hand_W - before_W;
+            const double cone = side_W.norm() / force_W.dot(normal_W);
             squares += side_W.squaredNorm();
             sent.along_N = std::max(sent.along_N, side_W.dot(moved_W.normalized()));
-            sent.cone = std::max(sent.cone, side_W.norm() / force_W.dot(place.normal_W));
+            sent.cone = std::max(sent.cone, cone);
+            sent.least_cone = std::min(sent.least_cone, cone);
             ++n;
         }
         before_W = hand_W;

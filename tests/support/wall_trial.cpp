@@ -47,7 +47,7 @@ Vector3 compute_wall_force(const WallTrial& trial, const CouplingSettings& coupl
                             .push_N = spring.x(),
                             .velocity_W = velocity,
                             .damping_Ns_per_m = coupling.damping_Ns_per_m};
-    return spring + compute_contact_damping({&plane, 1});
+    return spring + compute_contact_damping({&plane, 1}).force_W;
 }
 
 bool is_linear_wall(const WallTrial& trial) {

@@ -20,7 +20,7 @@ DampedPlane make_plane(const Vector3& normal_W, const Vector3& velocity_W) {
 }
 
 Vector3 added(const std::vector<DampedPlane>& planes) {
-    return compute_contact_damping(planes);
+    return compute_contact_damping(planes).force_W;
 }
 
 }  // namespace
@@ -95,6 +95,31 @@ TEST_CASE("contact damper: friction is damped while it holds, and no further tha
     // Lifted off faster than the spring pushes, nothing is held.
     plane.velocity_W = {-0.03, 1.0, 0.0};
     CHECK((added({plane}) - Vector3(1.0, -2.0, 0.0)).norm() < kRounding);
+}
+
+TEST_CASE("contact damper: planes that face one way are one, however they share the push") {
+    for (const Vector3& velocity :
+         {Vector3(0.2, 0.0, 0.0), Vector3(0.5, -0.1, 0.2), Vector3(0.3, 0.05, 0.0)}) {
+        DampedPlane whole = make_plane(Vector3::UnitY(), velocity);
+        whole.friction_coefficient = 0.8;
+        whole.drag_N_W = {-1.6, 0.0, 0.0};
+        const ContactDamping one = compute_contact_damping({&whole, 1});
+        // Lifted off it holds less, and that is no damper's doing.
+        CHECK(one.eased_W.norm() ==
+              Approx(0.8 * 10.0 * std::max(velocity.y(), 0.0)).margin(kRounding));
+        for (const double share : {1.0, 0.96, 0.5, 0.04, 0.0}) {
+            // Where the proxy has just met the second, all of the drag is the first's.
+            std::vector<DampedPlane> planes(2, whole);
+            planes[0].push_N *= share;
+            planes[1].push_N *= 1.0 - share;
+            planes[1].normal_W = Vector3(1.0e-6, 1.0, -2.0e-6).normalized();
+            planes[1].drag_N_W.setZero();
+            const ContactDamping two = compute_contact_damping(planes);
+            INFO("share " << share << ", lifted at " << velocity.y());
+            CHECK((two.force_W - one.force_W).norm() < 1.0e-5);
+            CHECK((two.eased_W - one.eased_W).norm() < 1.0e-5);
+        }
+    }
 }
 
 TEST_CASE("contact damper: whatever the planes, it takes from the hand, and no plane pulls") {

@@ -187,6 +187,34 @@ TEST_CASE("energy loan: a share of what is asked for is lent, and a debt fades i
     CHECK(validate(EnergyLoanSettings{}));
 }
 
+TEST_CASE("energy loan: what the hand has paid besides comes off a debt, and is no credit") {
+    constexpr double kWay_m = 0.1;
+    EnergyLoan loan;
+    loan.allow(0.05, 0.001);
+    const Vector3 way = along_x(kWay_m);
+    const auto go = [&](double given_J, double paid_J) {
+        const Vector3 force = along_x(given_J / kWay_m);
+        (void)loan.step_evenly(force, Vector3::Zero(), Vector3::Zero(), 0.0);
+        const ElasticForce counted = loan.step_evenly(force, way, way, paid_J);
+        return ideal_J(force, counted, way);
+    };
+    const double unfelt_J = kUnfelt_N * kWay_m;
+    // Paid in the round in which it is given it never falls due, however much it is; what was paid more is lost.
+    for (int i = 0; i < 20; ++i) {
+        CHECK(go(0.2, 0.3) == Approx(0.2));
+        CHECK(loan.owed_J() == 0.0);
+    }
+    CHECK(go(0.04, 0.01) == Approx(0.04));
+    CHECK(loan.owed_J() == Approx(0.03));
+    CHECK(go(0.06, 0.0) == Approx(0.02 + unfelt_J));
+    CHECK(loan.owed_J() == Approx(0.05));
+    // Nothing else is taken for a payment.
+    for (const double bad_J : {-1.0, std::nan(""), HUGE_VAL}) {
+        (void)go(0.0, bad_J);
+        CHECK(loan.owed_J() == Approx(0.05).margin(5.0 * unfelt_J));
+    }
+}
+
 TEST_CASE("energy loan: where a limit falls nothing falls due that was not given in that round") {
     EnergyLoan loan;
     loan.allow(1.0, 0.001);

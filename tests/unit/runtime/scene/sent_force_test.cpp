@@ -40,6 +40,21 @@ Place on_torus(double way_m) {
     return {kRing_m * out + kTube_m * n, n};
 }
 
+// Along the ring on its inner side, which is hollow that way.
+Place in_hollow(double way_m) {
+    constexpr double kRound = 2.9;
+    const double about = way_m / (kRing_m + kTube_m * std::cos(kRound)) + 0.2;
+    const Vector3 out(std::cos(about), 0.0, std::sin(about));
+    const Vector3 n = std::cos(kRound) * out + std::sin(kRound) * Vector3::UnitY();
+    return {kRing_m * out + kTube_m * n, n};
+}
+
+// At the place of the torus nearest to another.
+Vector3 torus_normal(const Vector3& place_W) {
+    const Vector3 ring_W = kRing_m * Vector3(place_W.x(), 0.0, place_W.z()).normalized();
+    return (place_W - ring_W).normalized();
+}
+
 SentStroke stroke(const MeshShape& mesh, const Material& material, bool rounded, const Way& way,
                   double speed_m_per_s) {
     SentForce loop(test::make_touch_lesson(material, rounded), mesh);
@@ -55,7 +70,8 @@ TEST_CASE("sent force: over a rounded surface nothing is sent along it, of whate
         for (const double speed_m_per_s : {0.02, 0.2, 0.5}) {
             INFO(shipped.name << " at " << speed_m_per_s << " m/s");
             CHECK(stroke(sphere, bare(shipped), true, on_sphere, speed_m_per_s).sideways_N < 0.005);
-            CHECK(stroke(torus, bare(shipped), true, on_torus, speed_m_per_s).sideways_N < 0.02);
+            SentForce loop(test::make_touch_lesson(bare(shipped), true), torus);
+            CHECK(stroke(loop, shipped, on_torus, speed_m_per_s, torus_normal).sideways_N < 0.005);
         }
     }
 }
@@ -102,6 +118,34 @@ TEST_CASE("sent force: what slides is never pulled along, and friction stays in 
                               << ", cone " << sent.cone);
             CHECK(sent.along_N < 0.05);
             CHECK(sent.cone < 1.03 * shipped.friction.static_coefficient + 0.003);
+        }
+    }
+}
+
+TEST_CASE(
+    "sent force: what slides over a rounded ring is held by its friction, no more and no less") {
+    // The evened normals of so coarse a ring are wrong by 0.0016.
+    constexpr double kShading = 0.002;
+    const auto torus = touchable(make_torus(kRing_m, kTube_m, 96, 48));
+    for (const Material& shipped : shipped_materials()) {
+        Material material = bare(shipped);
+        // One circle for what sticks and what slides.
+        const double coefficient = shipped.friction.dynamic_coefficient;
+        material.friction = {coefficient, coefficient, 0.0};
+        for (const double speed_m_per_s : {0.02, 0.2, 0.5}) {
+            // A force that is held for a round does not turn with a hollow that the hand goes through: it would push by F v T / 2 R, and
+            // that is braked.
+            const double held = speed_m_per_s * 0.001 / (2.0 * kTube_m);
+            for (const auto way : {on_torus, in_hollow}) {
+                SentForce loop(test::make_touch_lesson(material, true), torus);
+                const SentStroke sent = stroke(loop, material, way, speed_m_per_s, torus_normal);
+                INFO(shipped.name << " at " << speed_m_per_s << " m/s: along " << sent.along_N
+                                  << ", cone " << sent.least_cone << " to " << sent.cone << " for "
+                                  << coefficient);
+                CHECK(sent.along_N < 0.05);
+                CHECK(sent.cone < 1.03 * coefficient + kShading + held);
+                CHECK(sent.least_cone > 0.97 * coefficient - kShading);
+            }
         }
     }
 }
