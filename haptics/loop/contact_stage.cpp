@@ -18,15 +18,19 @@ Vector3 turn_along(const Vector3& from, const Vector3& to, const Vector3& v) noe
                : v;
 }
 
-// A drag is that of the face on which friction was solved; on the one where the proxy came to lie its part out of it pushes, and the rest is
-// held as far as that push may hold it.
-void lay_along(const Vector3& face_W, DampedPlane& plane) noexcept {
-    const double out = plane.drag_N_W.dot(face_W);
-    const double viscous =
-        std::max(compute_length(plane.drag_N_W) - plane.friction_coefficient * plane.push_N, 0.0);
-    plane.push_N = std::max(plane.push_N + out, 0.0);
-    plane.drag_N_W = shorten<3>(plane.drag_N_W - out * face_W,
-                                plane.friction_coefficient * plane.push_N + viscous);
+// A drag is that of the face on which friction was solved. On the one where the proxy came to lie its part out of it pushes, and the rest is
+// held as far as that may be held: by all that the solid pushes, for of two faces that were only just met one has all of the drag.
+void lay_along(const SolidTouch& touch, std::span<const SolidTouch> all,
+               DampedPlane& plane) noexcept {
+    const double out = touch.drag_W.dot(touch.normal_W);
+    double pushes = out;
+    for (const SolidTouch& other : all) {
+        pushes += other.solid == touch.solid ? other.push_m : 0.0;
+    }
+    plane.push_N = std::max(touch.push_m + out, 0.0);
+    plane.drag_N_W =
+        shorten<3>(touch.drag_W - out * touch.normal_W,
+                   touch.friction_coefficient * std::max(pushes, 0.0) + touch.viscous_m);
 }
 
 }  // namespace
@@ -196,7 +200,7 @@ bool ContactStage::shade(const ProxyContact& contact,
                                           turn_BW * touch.normal_W);
             any = true;
         }
-        lay_along(touch.normal_W, planes_[i]);
+        lay_along(touch, contact.active(), planes_[i]);
         planes_[i].drag_N_W = turn_along(touch.normal_W, touches_[i].normal_W, planes_[i].drag_N_W);
         planes_[i].normal_W = touches_[i].normal_W;
     }

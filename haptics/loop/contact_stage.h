@@ -4,7 +4,7 @@
 //   F = F_spring + what each touch's damper adds (contact_damper.h)
 // So the spring's force is continuous when one solid takes over from another. Where a touched mesh is shaded (shading.h) the force keeps
 // its size and takes the direction of sum(push_i n_i + drag_i) with the shaded normals n_i, each drag turned as its normal is, so that
-// friction stays in its cone. Friction was solved on the face that the proxy came from; what of a drag points out of the face where it came to
+// friction stays in its cone. Friction was solved on the face that the proxy came from: what of a drag points out of the face where it came to
 // lie belongs to the push there, and the rest is shortened to that push's circle.
 // A shaded force is no gradient: who presses deeper on one half of a face than on the other may go round for ever and be given work.
 // So only F_spring counts as ideal, and what shading turns of it and friction eases of it (contact_damper.h) is lent

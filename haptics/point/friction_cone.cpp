@@ -104,6 +104,10 @@ void FrictionCone::share_drag(std::span<const SolidTouch> before,
         }
         best->drag_W += planes[i].drag;
         best->friction_coefficient = std::max(best->friction_coefficient, coefficient);
+        if (planes[i].law.viscous_ratio > 0.0) {
+            best->viscous_m +=
+                std::max(planes[i].drag.norm() - coefficient * planes[i].push_m, 0.0);
+        }
     }
 }
 

@@ -24,6 +24,7 @@ struct SolidTouch {
     Vector3 drag_W{
         Vector3::Zero()};  ///< metres along the plane that friction holds the proxy off the hand
     double friction_coefficient = 0.0;  ///< that holds here now, at rest or sliding
+    double viscous_m = 0.0;             ///< of the drag: what no push bounds
     /// Where the solid has taken the place that the proxy had at the end of the last step.
     Vector3 anchor_W{Vector3::Zero()};
 };

@@ -50,7 +50,8 @@ ProxyContact make_touched(const Vector3& at_W, const Vector3& normal_W, std::int
                           .feature = feature,
                           .normal_W = normal_W,
                           .push_m = 0.002,
-                          .drag_W = drag_W};
+                          .drag_W = drag_W,
+                          .friction_coefficient = drag_W.isZero(0.0) ? 0.0 : 0.8};
     return contact;
 }
 
