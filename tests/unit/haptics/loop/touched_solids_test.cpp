@@ -207,10 +207,22 @@ TEST_CASE("contact stage: what friction holds stays in a shaded force") {
     const Vector3 n = corner.normalized();
     const Vector3 t = n.unitOrthogonal();
     const std::array<Pose, 1> poses{};
-    const ContactForce felt = feel(stage, make_touched(corner, n, 0, 0, 0.001 * t),
-                                   corner - 0.002 * n - 0.001 * t, Vector3::Zero(), poses);
+    ProxyContact contact = make_touched(corner, n, 0, 0, 0.001 * t);
+    const Vector3 hand = corner - 0.002 * n - 0.001 * t;
+    const double size_N = std::hypot(1.0, 0.5);
     // The corner of a coarse ball: its normal is a degree off the radius.
-    CHECK((felt.force_W - Vector3(1.0 * n + 0.5 * t)).norm() < 0.02);
+    CHECK(
+        (feel(stage, contact, hand, Vector3::Zero(), poses).force_W - (1.0 * n + 0.5 * t)).norm() <
+        0.02);
+    // Of a drag that the face it came from has held this one holds what its push does; what is viscous needs no push.
+    for (const double viscous_m : {0.0, 0.0006}) {
+        contact.touches[0].friction_coefficient = 0.2;
+        contact.touches[0].viscous_m = viscous_m;
+        const double drag = 0.2 + 500.0 * viscous_m;
+        CHECK((feel(stage, contact, hand, Vector3::Zero(), poses).force_W -
+               size_N * (n + drag * t).normalized())
+                  .norm() < 0.02);
+    }
 }
 
 TEST_CASE("contact stage: a shaded force stays in friction's cone, whatever the bend") {

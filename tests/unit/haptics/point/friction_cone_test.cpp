@@ -90,11 +90,15 @@ TEST_CASE("friction cone: with viscosity alone the drag is b times the speed of 
     proxy->step({0.0, -0.01, 0.0}, {});
     const double speed_m_per_s = 0.1;
     double lag_m = 0.0;
+    double told_m = 0.0;
     for (int i = 1; i <= 1000; ++i) {
         const double x = 0.001 * speed_m_per_s * i;
-        lag_m = x - proxy->step({x, -0.01, 0.0}, {}).position_W.x();
+        const ProxyContact& contact = proxy->step({x, -0.01, 0.0}, {});
+        lag_m = x - contact.position_W.x();
+        told_m = contact.touches[0].viscous_m;
     }
     CHECK(std::abs(stiffness * lag_m - viscous * speed_m_per_s) <= 1.0e-6);
+    CHECK(told_m == Approx(lag_m));
 }
 
 TEST_CASE("friction cone: what turns under a still hand carries it round to the circle's edge") {
