@@ -71,7 +71,7 @@ spoilt() {
 }
 
 good_tree
-for check in include_direction effect_rooms vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names changes_apply shipped_gate pages figures; do
+for check in include_direction effect_rooms class_sources vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers joined_names changes_apply shipped_gate pages figures; do
     passes "$check"
 done
 
@@ -98,6 +98,12 @@ passes include_direction
 put runtime/effect/field/field_fields.h 'FieldKind::spring'
 passes effect_rooms
 spoilt effect_rooms 'runtime/app/bad.cpp:1:' runtime/app/bad.cpp 'if (kind == FieldKind::spring) {'
+put haptics/loop/turner.cpp 'void Turner::turn() {\n}'
+put haptics/loop/turner_build.cpp 'Turner::Turner() {\n}'
+passes class_sources
+put haptics/loop/turner.cpp 'void Turner::turn() {\n}'
+put haptics/loop/turner_build.cpp 'Turner::Turner() {\n}'
+spoilt class_sources 'Turner has its methods in 3 sources' haptics/loop/turner_told.cpp 'double Turner::tell() {\n}'
 spoilt vendor_headers '<GLFW/glfw3.h> belongs' runtime/app/bad.h '#include <GLFW/glfw3.h>'
 spoilt vendor_headers '<tiny_gltf.h> belongs' runtime/scene/bad.h '#include <tiny_gltf.h>'
 spoilt vendor_headers '<sqlite3.h> belongs' runtime/progress/bad.h '# include <sqlite3.h>'

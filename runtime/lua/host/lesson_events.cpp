@@ -162,27 +162,4 @@ void push_event(lua_State* lua, const LessonContext& context, const LessonEvent&
     }
 }
 
-// What a learner asks for, by the lesson's own function.
-void LessonHost::tell(lua_State* lua, const AskedEvent& asked) {
-    for (const auto& [knowledge, answer_ref] : lesson_.tellers) {
-        if (knowledge != asked.knowledge) {
-            continue;
-        }
-        lua_rawgeti(lua, LUA_REGISTRYINDEX, answer_ref);
-        push_event(lua, lesson_, asked);
-        push_handle(lua, Handle::Kind::world, 0);
-        lesson_script_->call(lua, 2, 1);
-        std::string text;
-        if (lua_type(lua, -1) == LUA_TSTRING) {
-            text = clean_text(lua_tostring(lua, -1), kMaxTextBytes);
-        } else if (!lua_isnil(lua, -1)) {
-            raise_in_lesson(lua, "what the lesson knows as \"" + knowledge +
-                                     "\" is answered with a text, or nil; got " +
-                                     given_text(lua, -1));
-        }
-        lua_pop(lua, 1);
-        add_command(lua, TellCommand{knowledge, std::move(text)});
-    }
-}
-
 }  // namespace fulcrum::runtime
