@@ -70,7 +70,7 @@ Expected<DistanceField> make_field(const TriangleMesh& mesh, int n_cells,
                                    const LoadProgress& progress) {
     // As far as a body of 96 cells has it: places that are to slide have to know which way.
     const double band_voxels = std::clamp(n_cells / kCellsABand, 3.0, 16.0);
-    const auto frame = DistanceField::make_frame(mesh, n_cells, band_voxels);
+    const auto frame = make_field_frame(mesh, n_cells, band_voxels);
     if (!frame) {
         return tl::make_unexpected(frame.error());
     }

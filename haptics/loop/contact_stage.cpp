@@ -149,11 +149,18 @@ ElasticForce ContactStage::count(const PlainSpring& plain, const Vector3& lent_W
         moved_W = hand_W - hand_W_;
         against_W = solid == lender_ ? Vector3(hand_W - pose_W * hand_B_) : moved_W;
     }
-    // What the proxy let go of as it slipped: the hand has paid it, and none of it comes back.
-    const double paid_J = solid == lender_ && is_only && only_lender_
-                              ? plain_.energy_J - plain.energy_J -
-                                    0.5 * (plain_.force_W + plain.force_W).dot(against_W)
-                              : 0.0;
+    if (solid != lender_) {
+        unpaid_J_ = 0.0;
+    }
+    // What the proxy let go of as it slipped: the hand has paid it, and none of it comes back. What the spring gained by more than its work is
+    // taken off first.
+    double paid_J = 0.0;
+    if (pays_slips_ && solid == lender_ && is_only && only_lender_) {
+        const double slipped_J = plain_.energy_J - plain.energy_J -
+                                 0.5 * (plain_.force_W + plain.force_W).dot(against_W);
+        paid_J = std::max(slipped_J - unpaid_J_, 0.0);
+        unpaid_J_ = std::max(unpaid_J_ - slipped_J, 0.0);
+    }
     loan_.allow(compute_length(plain.force_W) * shading_[index]->bump_m(), period_s_);
     counted += loan_.step_evenly(lent_W, moved_W, against_W, paid_J);
     lender_ = solid;
@@ -198,11 +205,12 @@ bool ContactStage::shade(const ProxyContact& contact,
                 shading_[solid]->normal_B(touch.feature,
                                           turn_BW * (contact.position_W - pose_W.position),
                                           turn_BW * touch.normal_W);
+            lay_along(touch, contact.active(), planes_[i]);
+            planes_[i].drag_N_W =
+                turn_along(touch.normal_W, touches_[i].normal_W, planes_[i].drag_N_W);
+            planes_[i].normal_W = touches_[i].normal_W;
             any = true;
         }
-        lay_along(touch, contact.active(), planes_[i]);
-        planes_[i].drag_N_W = turn_along(touch.normal_W, touches_[i].normal_W, planes_[i].drag_N_W);
-        planes_[i].normal_W = touches_[i].normal_W;
     }
     return any;
 }

@@ -13,7 +13,8 @@
 //   paid_n = U_(n-1) - U_n - (F_(n-1) + F_n)/2 . d_n      U: the spring's energy, d: the hand's way; exact while the proxy's planes stay
 // The hand has given it, so that much of what is lent is paid back in that round. Summed up the hand has had no more than U_0 - U_n and what is lent:
 // whatever slips, a closed path gives it no more than before. Without it a deep push on a fine mesh would be braked for not falling off each edge:
-// F s^2 depth / 2 R^2 of each face of size s. Counted only while nothing but the one solid is touched.
+// F s^2 depth / 2 R^2 of each face of size s. Where paid_n is below 0 the next ones make that up first. Counted only while nothing but the one
+// solid is touched, and not of a cursor that turns with the hand: its turns raise U, which is lent elsewhere (point/virtual_proxy.h).
 //
 // Thread: haptic loop. Cost: that of the coupling; a shaded touch 20 ns more. No allocation in `step`.
 #pragma once
@@ -94,11 +95,13 @@ class ContactStage {
     std::size_t n_touches_ = 0;
     EnergyLoan loan_;  // of shading
     double period_s_;  // of the loop
+    bool pays_slips_;  // a cursor that turns moves the proxy by what is no work of the hand's
     // In the round before.
     std::int32_t lender_ = kNoBody;  // the solid that was lent of
     Vector3 hand_W_{Vector3::Zero()};
     Vector3 hand_B_{Vector3::Zero()};  // in the lender's frame
     bool only_lender_ = false;         // nothing else was touched
+    double unpaid_J_ = 0.0;            // that the spring gained beyond the hand's work
     PlainSpring plain_{};
 };
 

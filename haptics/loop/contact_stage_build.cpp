@@ -6,7 +6,10 @@
 namespace fulcrum {
 
 ContactStage::ContactStage(const HapticPlan& plan)
-    : common_(plan.coupling), loan_(plan.shading_loan), period_s_(1.0 / plan.rate_hz) {
+    : common_(plan.coupling),
+      loan_(plan.shading_loan),
+      period_s_(1.0 / plan.rate_hz),
+      pays_slips_(is_round(plan.proxy.cursor)) {
     couplings_.reserve(plan.solids.size());
     for (const SolidPlan& solid : plan.solids) {
         couplings_.push_back(solid.coupling.value_or(plan.coupling));

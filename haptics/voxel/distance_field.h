@@ -91,6 +91,11 @@ struct DepthSample {
     Matrix3 hessian{Matrix3::Zero()};  ///< second derivatives of D within its cells, 1/m
 };
 
+/// A block of cubes round the mesh: `n_along` cells along its longest side, a multiple of 8 from 16 to 2048, with the margin
+/// that a band of `band_voxels` needs; for a sheet, the sum of band and sheet.
+[[nodiscard]] Expected<VoxelFrame> make_field_frame(const TriangleMesh& mesh, int n_along,
+                                                    double band_voxels = 3.0);
+
 class DistanceField {
   public:
     static constexpr std::int32_t kFree = 0;    ///< the brick of +b
@@ -106,11 +111,6 @@ class DistanceField {
         float centre_voxels =
             0.0F;  ///< of the brick's centre, d / s rounded towards 0, below 0 inside
     };
-
-    /// A block of cubes round the mesh: `n_along` cells along its longest side, a multiple of 8 from 16 to 2048, with the margin
-    /// that a band of `band_voxels` needs; for a sheet, the sum of band and sheet.
-    [[nodiscard]] static Expected<VoxelFrame> make_frame(const TriangleMesh& mesh, int n_along,
-                                                         double band_voxels = 3.0);
 
     /// Refuses frames and settings that `validate` refuses, and a mesh whose inside would take minutes to find: triangles that cross
     /// each other all over the block, or that are open everywhere. An error too where `progress` stops it.

@@ -369,4 +369,15 @@ Expected<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Vox
     return builder.build().map([&] { return builder.take(); });
 }
 
+std::optional<Error> DistanceField::tell_holes() const {
+    if (counts_.n_open_edges == 0 || sheet_m_ > 0.0) {
+        return {};
+    }
+    return Error{"the mesh has " + std::to_string(counts_.n_open_edges) +
+                     " open edges: its holes are felt as if skins closed them, and a tool that "
+                     "looks only at what is near may pass through these",
+                 {},
+                 "close the holes, or build the field as a sheet (sheet_voxels)"};
+}
+
 }  // namespace fulcrum

@@ -33,12 +33,11 @@ Expected<DistanceField> make_field(const ToolBodyList::Mesh& of, double sheet_vo
     const double margin = kBand_voxels + sheet_voxels;
     const double rows = std::ceil((length_m / of.voxel_m + 2.0 * margin + 2.0) / kBrickCells);
     const int n_along = kBrickCells * std::max(2, static_cast<int>(rows));
-    return DistanceField::make_frame(of.mesh, n_along, margin)
-        .and_then([&](const VoxelFrame& frame) {
-            return recall_distance_field(
-                shapes, of.mesh, frame, {.band_voxels = kBand_voxels, .sheet_voxels = sheet_voxels},
-                progress);
-        });
+    return make_field_frame(of.mesh, n_along, margin).and_then([&](const VoxelFrame& frame) {
+        return recall_distance_field(shapes, of.mesh, frame,
+                                     {.band_voxels = kBand_voxels, .sheet_voxels = sheet_voxels},
+                                     progress);
+    });
 }
 
 // An open mesh with nothing in it that is a voxel deep.

@@ -14,8 +14,7 @@ namespace fulcrum::test {
 inline DistanceField build_field(const TriangleMesh& mesh, int n_along,
                                  const DistanceFieldSettings& settings = {}) {
     const VoxelFrame frame =
-        DistanceField::make_frame(mesh, n_along, settings.band_voxels + settings.sheet_voxels)
-            .value();
+        make_field_frame(mesh, n_along, settings.band_voxels + settings.sheet_voxels).value();
     return DistanceField::build(mesh, frame, settings).value();
 }
 

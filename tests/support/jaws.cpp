@@ -57,7 +57,7 @@ MovingFrame find_hand(double time_s) {
 
 std::shared_ptr<const DistanceField> make_field(const TriangleMesh& mesh) {
     return std::make_shared<const DistanceField>(
-        DistanceField::build(mesh, DistanceField::make_frame(mesh, 96).value()).value());
+        DistanceField::build(mesh, make_field_frame(mesh, 96).value()).value());
 }
 
 double find_deepest_m(const DistanceField& field, const Pointshell& shell, const Pose& X_OT) {

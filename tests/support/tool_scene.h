@@ -79,8 +79,7 @@ inline std::shared_ptr<const ToolPlan> make_tool_of(ToolScene scene,
             const int n_along =
                 8 * static_cast<int>(std::ceil(length_m / scene.voxel_m / 8.0)) + 16;
             fields.push_back(std::make_shared<const DistanceField>(
-                DistanceField::build(object, DistanceField::make_frame(object, n_along).value())
-                    .value()));
+                DistanceField::build(object, make_field_frame(object, n_along).value()).value()));
             continue;
         }
         grids.push_back(std::make_shared<const VoxelGrid>(

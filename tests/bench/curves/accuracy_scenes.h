@@ -37,7 +37,7 @@ struct AccuracyScene {
 [[nodiscard]] inline FieldSampler::Field make_distance_field(const TriangleMesh& object,
                                                              int n_along) {
     return std::make_shared<const DistanceField>(
-        DistanceField::build(object, DistanceField::make_frame(object, n_along).value()).value());
+        DistanceField::build(object, make_field_frame(object, n_along).value()).value());
 }
 
 [[nodiscard]] AccuracyScene make_sphere_plane(int n_poses);

@@ -23,7 +23,7 @@ struct FieldPointsTask {
 
 [[nodiscard]] inline FieldPointsTask make_field_points_task(int n_points) {
     TriangleMesh mesh = *make_sphere(1.0, 60);
-    const VoxelFrame frame = DistanceField::make_frame(mesh, kFieldCells).value();
+    const VoxelFrame frame = make_field_frame(mesh, kFieldCells).value();
     Pointshell shell = make_surface_pointshell(mesh, n_points).value();
     return {std::move(mesh),
             frame,

@@ -258,7 +258,7 @@ Report run_field_sampling(Run& run) {
     }
     add_rows("jumps", 0.0, scene, make_jumps(make_local_way(scene, 4.0, n, 1000.0)), sheet);
     run.progress(0.6, "local contacts are measured");
-    const VoxelFrame socket_frame = DistanceField::make_frame(make_socket(71), n_along).value();
+    const VoxelFrame socket_frame = make_field_frame(make_socket(71), n_along).value();
     const TriangleMesh plug =
         *make_bumpy_sphere(1.0 - kClearance_voxels * socket_frame.voxel_m, 71, 0.02, 15.0);
     const Scene socket = make_scene(make_socket(71), plug, n_along, n_points);

@@ -38,9 +38,8 @@ class SweptTool {
         : sampler_(
               FieldSampler::build(
                   std::make_shared<const DistanceField>(
-                      DistanceField::build(
-                          scene.object,
-                          DistanceField::make_frame(scene.object, scene.n_along).value())
+                      DistanceField::build(scene.object,
+                                           make_field_frame(scene.object, scene.n_along).value())
                           .value()),
                   std::make_shared<const ShellTree>(
                       ShellTree::build(make_surface_pointshell(scene.tool, scene.n_points).value())

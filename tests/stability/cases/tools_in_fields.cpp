@@ -27,7 +27,7 @@ struct Scene {
 };
 
 FieldTool make_tool(const Scene& scene, ToolMass mass) {
-    const VoxelFrame frame = DistanceField::make_frame(scene.object, scene.n_along).value();
+    const VoxelFrame frame = make_field_frame(scene.object, scene.n_along).value();
     FieldSamplingPlan plan;
     plan.field =
         std::make_shared<const DistanceField>(DistanceField::build(scene.object, frame).value());

@@ -230,7 +230,7 @@ TEST_CASE("distance field: what is thinner than a brick, or one brick long, has 
 TEST_CASE("distance field settings: the frame holds mesh and band; what holes lead to is told") {
     for (const Vector3& edges : {Vector3(1.0, 1.0, 1.0), Vector3(3.0, 0.1, 0.7)}) {
         const TriangleMesh box = *make_box(edges);
-        const VoxelFrame frame = DistanceField::make_frame(box, 80).value();
+        const VoxelFrame frame = make_field_frame(box, 80).value();
         CHECK(*std::max_element(frame.n_cells.begin(), frame.n_cells.end()) == 80);
         for (const std::int32_t n : frame.n_cells) {
             CHECK(n % 8 == 0);
@@ -251,11 +251,11 @@ TEST_CASE("distance field settings: the frame holds mesh and band; what holes le
 
 TEST_CASE("distance field settings: what cannot be built is refused with a reason") {
     const TriangleMesh ball = *make_sphere(1.0, 4);
-    const VoxelFrame good = DistanceField::make_frame(ball, 64).value();
-    CHECK_FALSE(DistanceField::make_frame(ball, 60));
-    CHECK_FALSE(DistanceField::make_frame(ball, 8));
-    CHECK_FALSE(DistanceField::make_frame(ball, 4096));
-    CHECK_FALSE(DistanceField::make_frame(ball, 16, 8.0));
+    const VoxelFrame good = make_field_frame(ball, 64).value();
+    CHECK_FALSE(make_field_frame(ball, 60));
+    CHECK_FALSE(make_field_frame(ball, 8));
+    CHECK_FALSE(make_field_frame(ball, 4096));
+    CHECK_FALSE(make_field_frame(ball, 16, 8.0));
 
     VoxelFrame odd = good;
     odd.n_cells[1] = 63;
@@ -283,7 +283,7 @@ TEST_CASE("distance field settings: what cannot be built is refused with a reaso
 TEST_CASE(
     "distance field build: the same bits on one thread and on several, and progress is told") {
     const TriangleMesh mesh = *make_bumpy_sphere(1.0, 30, 0.05, 12.0);
-    const VoxelFrame frame = DistanceField::make_frame(mesh, 256).value();
+    const VoxelFrame frame = make_field_frame(mesh, 256).value();
     double told = 0.0;
     const DistanceField one =
         DistanceField::build(mesh, frame, {.n_threads = 1}, [&](double share) {
@@ -297,7 +297,7 @@ TEST_CASE(
 
 TEST_CASE("distance field build: it stops at whatever share it is told to, and says so") {
     const TriangleMesh mesh = *make_sphere(1.0, 20);
-    const VoxelFrame frame = DistanceField::make_frame(mesh, 128).value();
+    const VoxelFrame frame = make_field_frame(mesh, 128).value();
     for (const double most : {0.0, 0.5}) {
         double told = 0.0;
         const auto stopped = DistanceField::build(mesh, frame, {}, [&](double share) {
@@ -313,7 +313,7 @@ TEST_CASE("distance field build: it stops at whatever share it is told to, and s
 
 TEST_CASE("distance field build: what takes minutes is refused, memory is that of the surface") {
     const TriangleMesh heap = *make_heap(4000, 1);
-    const VoxelFrame frame = DistanceField::make_frame(heap, 256).value();
+    const VoxelFrame frame = make_field_frame(heap, 256).value();
     const auto refused = DistanceField::build(heap, frame);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().message ==

@@ -161,7 +161,7 @@ TEST_CASE(
 
 TEST_CASE("brick triangles: a brick has every triangle that comes within reach of it") {
     const TriangleMesh mesh = *make_bumpy_sphere(1.0, 8, 0.2, 5.0);
-    const VoxelFrame frame = DistanceField::make_frame(mesh, 48).value();
+    const VoxelFrame frame = make_field_frame(mesh, 48).value();
     const auto list = list_brick_triangles(mesh, frame, kReach_voxels, kAny, {});
     REQUIRE(list);
     CHECK(std::is_sorted(list->bricks.begin(), list->bricks.end()));
@@ -197,7 +197,7 @@ TEST_CASE("brick triangles: a brick has every triangle that comes within reach o
 
 TEST_CASE("brick triangles: a list that grows too long is given up, and how long it were is told") {
     const TriangleMesh heap = *make_heap(1000, 3);
-    const VoxelFrame frame = DistanceField::make_frame(heap, 128).value();
+    const VoxelFrame frame = make_field_frame(heap, 128).value();
     const auto whole = list_brick_triangles(heap, frame, kReach_voxels, kAny, {});
     const auto given_up = list_brick_triangles(heap, frame, kReach_voxels, 20000.0, {});
     REQUIRE(whole);
@@ -210,7 +210,7 @@ TEST_CASE("brick triangles: a list that grows too long is given up, and how long
 
 TEST_CASE("brick triangles: it stops where it is told to") {
     const TriangleMesh mesh = *make_sphere(1.0, 8);
-    const VoxelFrame frame = DistanceField::make_frame(mesh, 48).value();
+    const VoxelFrame frame = make_field_frame(mesh, 48).value();
     CHECK_FALSE(
         list_brick_triangles(mesh, frame, kReach_voxels, kAny, [](double) { return false; }));
 }

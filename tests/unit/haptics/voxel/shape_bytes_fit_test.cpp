@@ -99,7 +99,7 @@ TEST_CASE("shape bytes: a distance field comes back the same in every question")
 
 TEST_CASE("shape bytes: a frame lies in the bytes axis by axis, and comes back so") {
     const TriangleMesh box = make_box({1.0, 2.0, 3.0}).value();
-    VoxelFrame frame = DistanceField::make_frame(box, 48, 5.0).value();
+    VoxelFrame frame = make_field_frame(box, 48, 5.0).value();
     frame.lower_O -= frame.voxel_m * Vector3(0.1, 0.2, 0.3);
     REQUIRE(frame.n_cells[0] < frame.n_cells[1]);
     REQUIRE(frame.n_cells[1] < frame.n_cells[2]);
@@ -146,7 +146,7 @@ TEST_CASE("shape bytes: voxels and pointshells come back the same") {
 TEST_CASE("shape bytes: the field of an open mesh comes back as well, and no steeper one") {
     for (const double sheet_voxels : {0.0, 1.5}) {
         const DistanceField made =
-            DistanceField::build(open_box(), DistanceField::make_frame(open_box(), 48, 5.0).value(),
+            DistanceField::build(open_box(), make_field_frame(open_box(), 48, 5.0).value(),
                                  {.band_voxels = 3.0, .sheet_voxels = sheet_voxels})
                 .value();
         REQUIRE(made.counts().n_open_edges == 3);

@@ -32,7 +32,7 @@ TEST_CASE("shape cache: what was made once is read the next time, by another pro
 TEST_CASE("shape cache: fields, voxels and pointshells by mesh and settings") {
     const ScratchFolder scratch;
     ShapeCache cache(keep_all(scratch.path()));
-    const VoxelFrame frame = DistanceField::make_frame(ball(), 24).value();
+    const VoxelFrame frame = make_field_frame(ball(), 24).value();
     for (int i = 0; i < 2; ++i) {
         REQUIRE(recall_distance_field(cache, ball(), frame, {}));
         REQUIRE(recall_distance_field(cache, ball(), frame, {.band_voxels = 2.5}));
@@ -51,7 +51,7 @@ TEST_CASE("shape cache: fields, voxels and pointshells by mesh and settings") {
 
 TEST_CASE("shape cache: a shape is read again for the same mesh and settings, and for no others") {
     const ScratchFolder scratch;
-    const VoxelFrame frame = DistanceField::make_frame(ball(), 24, 5.0).value();
+    const VoxelFrame frame = make_field_frame(ball(), 24, 5.0).value();
     const auto with = [&](auto change) {
         VoxelFrame changed = frame;
         change(changed);
@@ -105,7 +105,7 @@ TEST_CASE("shape cache: an open body's field is made once, and read at the next 
     std::vector<TriangleCorners> triangles = ball().triangles();
     triangles.erase(triangles.begin(), triangles.begin() + 7);
     const TriangleMesh open = TriangleMesh::build(ball().vertices_B(), triangles).value();
-    const VoxelFrame frame = DistanceField::make_frame(open, 48).value();
+    const VoxelFrame frame = make_field_frame(open, 48).value();
     for (int start = 0; start < 2; ++start) {
         ShapeCache cache(keep_all(scratch.path()));
         const auto field = recall_distance_field(cache, open, frame, {});
@@ -208,7 +208,7 @@ TEST_CASE("shape cache: a folder that is a link, or that others may write to, is
 TEST_CASE("shape cache: a whole shape that is not the one asked for is told, and made again") {
     const ScratchFolder scratch;
     // With room for a thicker band.
-    const VoxelFrame frame = DistanceField::make_frame(ball(), 24, 4.0).value();
+    const VoxelFrame frame = make_field_frame(ball(), 24, 4.0).value();
     const DistanceField field = DistanceField::build(ball(), frame).value();
     VoxelFrame moved = frame;
     moved.lower_O.x() -= 0.01 * frame.voxel_m;

@@ -166,7 +166,7 @@ TEST_CASE("shape bytes: the fuzzer begins with shapes of today's layout") {
     const TriangleMesh box = make_box(Vector3::Ones()).value();
     const Digest key{};
     const std::vector<std::pair<std::string, Bytes>> seeds{
-        {"field", encode(DistanceField::build(box, DistanceField::make_frame(box, 16, 2.0).value(),
+        {"field", encode(DistanceField::build(box, make_field_frame(box, 16, 2.0).value(),
                                               {.band_voxels = 2.0})
                              .value(),
                          key)},

@@ -61,6 +61,33 @@ TEST_CASE("sent energy: who goes round on a shaded facet for ever is given what 
     }
 }
 
+// Turning moves its proxy by what is no work of the hand's spring; what falls off as it turns back pays for nothing.
+TEST_CASE(
+    "sent energy: a shaped cursor that turns to and fro on a shaded facet earns nothing by it") {
+    constexpr double kRadius_m = 0.1;
+    constexpr double kCursor_m = 0.005;
+    const auto coarse = touchable(make_sphere(kRadius_m, 2));
+    runtime::LessonDescription lesson = test::make_touch_lesson(make_undamped(), true);
+    lesson.hand.proxy = ProxyKind::friction_cone;
+    lesson.hand.cursor = CapsuleShape{kCursor_m, 0.03};
+    const Vector3 axis = Vector3(0.3, 0.1, 1.0).normalized();
+    for (const double phase_rad : {0.0, 1.5 * std::numbers::pi}) {
+        const Path arc = make_arc(kRadius_m + kCursor_m, 0.27 * 4, 0.3, 0.022, 0.008);
+        const Path path = [&](double share) {
+            Pose pose_W = arc(share);
+            pose_W.orientation =
+                compute_exp(axis * (0.2 * std::sin(2.0 * std::numbers::pi * share + phase_rad)));
+            return pose_W;
+        };
+        SentForce loop(lesson, coarse);
+        come_from_above(loop, path);
+        const Given given = go_round(loop, path, 0.25, 40);
+        INFO(phase_rad << ": " << given.first_J << " J, then " << given.last_J);
+        const double forgiven_J = (kLeak_W + kFade_W) * given.took_s + kUnfelt_N * given.way_m;
+        CHECK(given.last_J < forgiven_J);
+    }
+}
+
 TEST_CASE("sent energy: a tool that goes round on a shaded facet is given what is lent, once") {
     constexpr double kRadius_m = 0.1;
     constexpr double kBall_m = 0.01;

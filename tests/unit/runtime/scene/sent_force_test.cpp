@@ -76,6 +76,44 @@ TEST_CASE("sent force: over a rounded surface nothing is sent along it, of whate
     }
 }
 
+TEST_CASE(
+    "sent force: a rounded body that is never touched changes nothing of what another gives") {
+    constexpr double kRadius_m = 0.1;
+    constexpr double kStiffness_N_per_m = 300.0;
+    const auto ball = touchable(make_sphere(kRadius_m, 3));
+    Material material = *find_material("metal");
+    material.friction = {1.5, 1.5, 0.0};
+    material.texture = {};
+    material.transient = {};
+    material.coupling.stiffness_N_per_m = kStiffness_N_per_m;
+    const auto make = [&](bool is_rounded) {
+        runtime::LessonDescription lesson = test::make_touch_lesson(material, false);
+        lesson.bodies.push_back(lesson.bodies[0]);
+        lesson.bodies[1].name = lesson.bodies[1].noun = "other";
+        lesson.bodies[1].position_W = Vector3(1.0, 0.0, 0.0);
+        lesson.bodies[1].rounded = is_rounded;
+        return SentForce(lesson, ball);
+    };
+    SentForce alone = make(false);
+    SentForce beside = make(true);
+    const double deep_m = 3.0 / kStiffness_N_per_m;
+    for (SentForce* loop : {&alone, &beside}) {
+        loop->open_gate(Vector3(0.0, 0.2, 0.0));
+        for (double y_m = 0.2; y_m > kRadius_m - deep_m; y_m -= 1.0e-4) {
+            loop->step(Vector3(0.0, y_m, 0.0));
+        }
+    }
+    for (int round = 0; round < 3000; ++round) {
+        const double s = 0.005 * round;  // 0.5 m/s
+        const double angle_rad = 1.2 * std::sin(s);
+        const Vector3 out =
+            Vector3(std::sin(angle_rad), std::cos(angle_rad), 0.3 * std::sin(2.3 * s)).normalized();
+        const Vector3 hand_W = (kRadius_m - deep_m - std::sin(3.7 * s) / kStiffness_N_per_m) * out;
+        INFO("round " << round);
+        REQUIRE(alone.step(hand_W) == beside.step(hand_W));
+    }
+}
+
 TEST_CASE("sent force: the program's own ball is felt as a ball, alone and among meshes") {
     const auto coarse = touchable(make_sphere(0.1, 1));
     const Material metal = bare(*find_material("metal"));
