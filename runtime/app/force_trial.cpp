@@ -92,6 +92,12 @@ Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressSto
         }
         const FirstUse trial = (*begun)->trial();
         begun->reset();
+        // Who broke it off has not tried it to the end: nothing is known.
+        if (trial.end() == FirstUseEnd::running) {
+            run.hand_at(hand).device->begin_anew();
+            run.hand_at(hand).device->give_no_force();
+            return {};
+        }
         take_trial(run.hand_at(hand), hand == 0 ? "" : "The second hand: ", trial, kAsked, request,
                    store);
     }

@@ -376,9 +376,12 @@ function Hand:force(compute) end
 ---@field law? string how it is felt: the surface leans against each slope, or pushes sideways, or is carved; "perturbed_normal", "lateral" or "height_offset"
 
 ---@class MaterialTap
+---@field kind? string what a tap adds, by the name of its law: a constant force for a moment, a force that rings, or the force that makes the handle itself ring; "none", "fixed_pulse", "decaying_sinusoid" or "acceleration_matching"
 ---@field frequency? number of the ringing; in hertz, 5 to 1000
 ---@field time? number until it has died away to a third; in seconds, 0.0005 to 0.2
----@field strength? number of the ringing; in newtons for each metre a second, 0 to 100
+---@field strength? number of a pulse, or of the ringing at first; in newtons for each metre a second, 0 to 100
+---@field acceleration? number of acceleration_matching: of the handle at first; in metres per second squared for each metre a second, 0 to 10000
+---@field length? number of a fixed_pulse; in seconds, 0.001 to 0.1
 
 ---@class MaterialOptions
 ---@field name string unique; what it is called
@@ -387,6 +390,7 @@ function Hand:force(compute) end
 ---@field damping? number how much it swallows; in newton seconds per metre, 0 to 50
 ---@field friction? number what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, rubber 1; 0 to 5
 ---@field sliding_friction? number the same while it slides; 0.8 of friction by default; 0 to 5
+---@field viscous_friction? number what brakes the hand besides, the faster it slides the more, as on something wet or greasy; none by default; in newton seconds per metre, 0 to 20
 ---@field texture? MaterialTexture its relief
 ---@field tap? MaterialTap how it rings when it is tapped
 

@@ -1,6 +1,11 @@
 // Small lessons of one effect each: what is felt is what the law says.
 #include "tests/lessons/program.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
 using namespace fulcrum::test;
 
 namespace {
@@ -23,6 +28,61 @@ TEST_CASE("touch: a ball pressed from above pushes back along its normal, stiffn
     // Free space before and after.
     CHECK(sample_at(record, 0.4).applied_W.force.norm() < 1e-9);
     CHECK(sample_at(record, 5.9).applied_W.force.norm() < 1e-9);
+}
+
+namespace {
+
+// A ball that rings so, pressed from above; the rounds from the first in which it is felt.
+std::vector<RecordSample> press_ringing_ball(const std::string& tap) {
+    const Sandbox sandbox;
+    sandbox.write(
+        "tap/lesson.lua",
+        "local L = lesson { id = \"tap\", title = \"A ball\", level = \"A1\", minutes = 1 }\n"
+        "function L:start(world)\n"
+        "  world:hand { centre = { 0, 0.5, 0 } }\n"
+        "  local m = world:material { name = \"m\", stiffness = 500, damping = 2, tap = { " +
+            tap +
+            " } }\n"
+            "  world:body { name = \"ball\", model = \"sphere\", radius = 0.1, solid = true, "
+            "material = m, at = { 0, 0.3, 0 } }\n"
+            "end\n"
+            "return L\n");
+    check_run(sandbox.run(std::string("run tap --headless --hand ") + kTouch +
+                          "/press.lua --seconds 3 --record r.rec"),
+              0);
+    const Record record = read_run(sandbox.path("r.rec"));
+    const auto touched = std::ranges::find_if(record.samples, [](const RecordSample& sample) {
+        return sample.commanded_W.force.y() > 0.0;
+    });
+    return {touched, record.samples.end()};
+}
+
+}  // namespace
+
+TEST_CASE("touch: each kind of tap, by its name, is felt as its law says") {
+    const auto still = press_ringing_ball("kind = \"none\"");
+    REQUIRE(still.size() > 100);
+    const double speed_m_per_s = -still.front().twist_W.linear.y();
+    REQUIRE(speed_m_per_s > 0.05);
+    // Beside what the same ball is without a tap, so many rounds on.
+    const auto added_N = [&](const std::vector<RecordSample>& rounds, std::size_t i) {
+        return rounds[i].commanded_W.force.y() - still[i].commanded_W.force.y();
+    };
+    const auto pulse = press_ringing_ball("kind = \"fixed_pulse\", strength = 5, length = 0.02");
+    for (const std::size_t round : {3U, 10U, 17U}) {
+        CHECK(added_N(pulse, round) == Approx(5.0 * speed_m_per_s).epsilon(0.2));
+    }
+    CHECK(std::abs(added_N(pulse, 40)) < speed_m_per_s);
+    // A period of 20 ms: up, and down, and weaker.
+    for (const char* tap : {"frequency = 50, time = 0.02, strength = 10",
+                            "kind = \"acceleration_matching\", frequency = 50, time = 0.02, "
+                            "acceleration = 100"}) {
+        CAPTURE(tap);
+        const auto ringing = press_ringing_ball(tap);
+        CHECK(added_N(ringing, 5) > speed_m_per_s);
+        CHECK(added_N(ringing, 15) < -0.5 * speed_m_per_s);
+        CHECK(std::abs(added_N(ringing, 80)) < 0.3 * added_N(ringing, 5));
+    }
 }
 
 TEST_CASE("touch: explain shows the proxy with the line that asked for it, and no world") {

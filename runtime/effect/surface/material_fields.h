@@ -32,12 +32,22 @@ inline constexpr std::tuple kTexture{
            "perturbed_normal lateral height_offset"})};
 
 inline constexpr std::tuple kTap{
+    field(&TransientSettings::kind, {"kind", choice, "", 0, 0, "nil",
+                                     "what a tap adds, by the name of its law: a constant force "
+                                     "for a moment, a force that rings, or the force that makes "
+                                     "the handle itself ring",
+                                     "none fixed_pulse decaying_sinusoid acceleration_matching"}),
     field(&TransientSettings::frequency_Hz,
           {"frequency", number, "hertz", 5, 1000, "nil", "of the ringing"}),
     argument({"time", number, "seconds", 0.0005, 0.2, "nil", "until it has died away to a third"}),
-    field(
-        &TransientSettings::force_Ns_per_m,
-        {"strength", number, "newtons for each metre a second", 0, 100, "nil", "of the ringing"})};
+    field(&TransientSettings::force_Ns_per_m,
+          {"strength", number, "newtons for each metre a second", 0, 100, "nil",
+           "of a pulse, or of the ringing at first"}),
+    field(&TransientSettings::acceleration_per_s,
+          {"acceleration", number, "metres per second squared for each metre a second", 0, 10000,
+           "nil", "of acceleration_matching: of the handle at first"}),
+    field(&TransientSettings::pulse_s,
+          {"length", number, "seconds", 0.001, 0.1, "nil", "of a fixed_pulse"})};
 
 inline constexpr auto kTextureRows = parameters_of(kTexture);
 inline constexpr auto kTapRows = parameters_of(kTap);
@@ -60,6 +70,10 @@ inline constexpr std::tuple kMaterial{
     field([](auto& m) -> auto& { return m.friction.dynamic_coefficient; },
           {"sliding_friction", number, "", 0, kMostFriction, "nil",
            "the same while it slides; 0.8 of friction by default"}),
+    field([](auto& m) -> auto& { return m.friction.viscous_Ns_per_m; },
+          {"viscous_friction", number, "newton seconds per metre", 0, 20, "nil",
+           "what brakes the hand besides, the faster it slides the more, as on something wet or "
+           "greasy; none by default"}),
     argument({"texture", record, "", 0, 0, "nil", "its relief", "", kTextureRows.data(),
               kTextureRows.size()}),
     argument({"tap", record, "", 0, 0, "nil", "how it rings when it is tapped", "", kTapRows.data(),

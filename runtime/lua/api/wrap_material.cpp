@@ -47,11 +47,27 @@ void take_texture(lua_State* lua, const Arguments& given, MaterialDescription& m
     take_fields(fields::kTexture, given, texture);
 }
 
-void take_tap(const Arguments& given, TransientSettings& transient) {
+void take_tap(lua_State* lua, const Arguments& given, TransientSettings& transient) {
     transient.kind = TransientKind::decaying_sinusoid;
     take_fields(fields::kTap, given, transient);
     if (given["time"].given) {
         transient.decay_per_s = 1.0 / given["time"].number;
+    }
+    const bool matches = transient.kind == TransientKind::acceleration_matching;
+    const bool pulses = transient.kind == TransientKind::fixed_pulse;
+    const bool rings = matches || transient.kind == TransientKind::decaying_sinusoid;
+    const std::pair<const char*, bool> uses[] = {{"frequency", rings},
+                                                 {"time", rings},
+                                                 {"strength", transient.any() && !matches},
+                                                 {"acceleration", matches},
+                                                 {"length", pulses}};
+    for (const auto& [name, is_used] : uses) {
+        if (given[name].given && !is_used) {
+            raise_in_lesson(lua,
+                            std::string("material.tap.") + name + " is of no use with kind = \"" +
+                                (given["kind"].given ? given["kind"].text : "decaying_sinusoid") +
+                                "\"; leave it out");
+        }
     }
 }
 
@@ -118,7 +134,7 @@ int make_material(lua_State* lua, LessonContext& context, const Arguments& argum
         take_texture(lua, arguments.record("texture"), material);
     }
     if (arguments["tap"].given) {
-        take_tap(arguments.record("tap"), material.felt.transient);
+        take_tap(lua, arguments.record("tap"), material.felt.transient);
     }
     push_handle(lua, Handle::Kind::material, add_material(lua, context, std::move(material)));
     return 1;

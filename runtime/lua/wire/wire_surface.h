@@ -41,15 +41,11 @@ void felt(Archive& a, Felt& m) {
     a.number("a material's linear range", m.coupling.linear_range_m, 0.0, 1e3);
     a.number("a material's saturation", m.coupling.saturation_range_m, 0.0, 1e3);
     a.number("a material's largest force", m.coupling.saturation_force_N, 0.0, 1e3);
-    a.number("a material's drag", m.friction.viscous_Ns_per_m, 0.0, 100.0);
     a.one_of("a texture", m.texture.source,
              [](auto& archive, auto& alternative) { texture_source(archive, alternative); });
     fields(a, "a texture", fields::kTexture, m.texture);
-    a.choice("a tap", m.transient.kind, TransientKind::acceleration_matching);
     fields(a, "a tap", fields::kTap, m.transient);
-    a.number("a tap's acceleration", m.transient.acceleration_per_s, 0.0, 1e4);
     a.number("a tap's decay", m.transient.decay_per_s, 0.0, 1e4);
-    a.number("a tap's length", m.transient.pulse_s, 0.0, 1.0);
     a.number("a tap's largest force", m.transient.max_force_N, 0.0, 10.0);
     a.number("a tap's energy", m.transient.energy_share, 0.0, 1.0);
 }

@@ -201,7 +201,9 @@ TEST_CASE("wire: what a row of the table allows is carried, or refused in the le
               // Only a rod has another end; no edge is thinner than what touches it can tell.
               "body.joint.end_at least", "body.joint.end_at most", "body.size least",
               // Who says two hands declares two.
-              "lesson.hands most",
+              "lesson.hands most", "material.tap.acceleration least",
+              "material.tap.acceleration most", "material.tap.length least",
+              "material.tap.length most",
               // Somebody answers from say, or a simulated learner does.
               "test.learner.form least", "test.learner.form most", "test.learner.unclear least",
               "test.learner.unclear most", "test.learner.wrong least", "test.learner.wrong most",
