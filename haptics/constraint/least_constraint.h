@@ -59,6 +59,9 @@ class LeastConstraintSolver {
     [[nodiscard]] const LeastConstraint& last() const noexcept { return answer_; }
     /// Of the last solve: the force along the normal of the contact that was added as `k`-th, newtons; 0 for one that does not act.
     [[nodiscard]] double force_N(std::size_t k) const noexcept;
+    [[nodiscard]] std::size_t memory_bytes() const noexcept {
+        return rows_.capacity() * (sizeof(Vector6) + 2 * sizeof(double));
+    }
 
   private:
     static constexpr int kMost = 6;

@@ -78,7 +78,7 @@ class GodForce {
         free_s_ = away_s_ = 0.0;
     }
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
-        return normals_W_.capacity() * (sizeof(Vector3) + sizeof(Vector6) + 2 * sizeof(double)) +
+        return normals_W_.capacity() * sizeof(Vector3) + solver_.memory_bytes() +
                dragging_.memory_bytes();
     }
 
