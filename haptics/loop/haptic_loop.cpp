@@ -1,6 +1,6 @@
-// The step path of haptic_loop.h; what each effect adds to the force stands in haptic_loop_forces.cpp, what the loop tells in
-// haptic_loop_told.cpp. What builds and describes the loop stands in haptic_loop_build.cpp, so that these objects can be
-// checked for calls that a real-time thread must not make.
+// The step path of haptic_loop.h; what each effect adds to the force stands in haptic_loop_forces.cpp. What builds and
+// describes the loop stands in haptic_loop_build.cpp, so that these objects can be checked for calls that a real-time thread
+// must not make.
 #include "haptics/loop/haptic_loop.h"
 
 #include "haptics/loop/workspace.h"
@@ -51,10 +51,10 @@ void HapticLoop::run_round(double now_s, const Passed& passed) noexcept {
     passed(HapticStage::limits);
     write_device();
     passed(HapticStage::write);
-    publish_state();
+    teller_->publish(state_, now_s_, dt_s_);
     passed(HapticStage::publish);
     if (channels_.record != nullptr) {
-        record_round();
+        late_faults_ |= teller_->record(state_, told_, {told_faults_, is_reading_});
         passed(HapticStage::record);
     }
 }
@@ -81,7 +81,6 @@ void HapticLoop::begin_round(double now_s) noexcept {
     if (!(dt_s_ > 0.0)) {
         state_.faults |= Fault::command_invalid;
     }
-    begin_shares();
 }
 
 void HapticLoop::take_inputs() noexcept {
@@ -264,6 +263,7 @@ void HapticLoop::move_proxy() noexcept {
 template <class Passed>
 void HapticLoop::compute_forces(const Passed& passed) noexcept {
     demand_ = SceneDemand{};
+    teller_->begin(has_pose_);
     if (tool_) {
         add_tool();
     }
@@ -310,13 +310,13 @@ void HapticLoop::add_surface(const Passed& passed) noexcept {
     if (effects.texture) {
         const SurfaceForce felt = effects.add_texture();
         add_surface_force(felt);
-        share(Effect::texture, felt.force_W);
+        teller_->share(Effect::texture, felt.force_W);
         passed(HapticStage::texture);
     }
     if (effects.transient) {
         const SurfaceForce felt = effects.add_transient();
         add_surface_force(felt);
-        share(Effect::tap, felt.force_W);
+        teller_->share(Effect::tap, felt.force_W);
         passed(HapticStage::transient);
     }
     if (effects.teller) {
@@ -336,7 +336,7 @@ void HapticLoop::keep_passive() noexcept {
     const Wrench brake_W = passivity_->step(demand_, state_.tool_pose_W, dt_s_, has_new_pose_);
     state_.commanded_W.force += brake_W.force;
     state_.commanded_W.torque += brake_W.torque;
-    share(Effect::brake, brake_W.force, brake_W.torque);
+    teller_->share(Effect::brake, brake_W.force, brake_W.torque);
     state_.force_energy = passivity_->force_energy();
     state_.torque_energy = passivity_->torque_energy();
 }

@@ -21,11 +21,11 @@
 #include "haptics/loop/axle_stage.h"
 #include "haptics/loop/body_stage.h"
 #include "haptics/loop/contact_stage.h"
-#include "haptics/loop/felt_time.h"
 #include "haptics/loop/hand_guard.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/line_stage.h"
 #include "haptics/loop/passivity_stage.h"
+#include "haptics/loop/round_teller.h"
 #include "haptics/loop/safety.h"
 #include "haptics/loop/solid_places.h"
 #include "haptics/loop/stage_listener.h"
@@ -34,10 +34,10 @@
 #include "haptics/loop/touch_velocity.h"
 #include "haptics/point/proxy.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -85,9 +85,11 @@ class HapticLoop final : public PeriodicTask {
     /// Whether the last round left it stopped, with no force at the device.
     [[nodiscard]] bool is_still() const noexcept { return is_still_; }
     /// For how long it was asked for something to be felt, and what became of it.
-    [[nodiscard]] const FeltTime& felt_time() const noexcept { return felt_time_; }
+    [[nodiscard]] const FeltTime& felt_time() const noexcept { return teller_->felt_time(); }
     /// What may add to the force, in the order of the shares that are told.
-    [[nodiscard]] const std::vector<EffectSlot>& effects() const noexcept { return effects_; }
+    [[nodiscard]] const std::vector<EffectSlot>& effects() const noexcept {
+        return teller_->effects();
+    }
     /// The last gate's limits: the plan's, and no more than the device can give.
     [[nodiscard]] double max_force_N() const noexcept { return gate_.max_force_N(); }
     [[nodiscard]] double max_torque_Nm() const noexcept { return gate_.max_torque_Nm(); }
@@ -145,12 +147,7 @@ class HapticLoop final : public PeriodicTask {
     void keep_passive() noexcept;
     void limit_forces() noexcept;
     void write_device() noexcept;
-    void publish_state() noexcept;
-    void record_round() noexcept;
-    void list_effects();
-    void begin_shares() noexcept;
-    void share(Effect effect, const Vector3& force_W, const Vector3& torque_W = Vector3::Zero(),
-               std::size_t field = 0) noexcept;
+    [[nodiscard]] std::vector<EffectSlot> list_effects() const;
 
     [[nodiscard]] bool accept(const DeviceReading& reading) noexcept;
     void forget_motion() noexcept;
@@ -175,11 +172,9 @@ class HapticLoop final : public PeriodicTask {
     std::unique_ptr<PassivityStage> passivity_;
     SafetyGate gate_;
     HandGuard guard_;
-    std::vector<EffectSlot> effects_;
-    std::array<std::int8_t, kEffectKinds> slot_of_{};  // an effect's first place among them
+    std::optional<RoundTeller> teller_;  // of those, so made behind them
 
-    // Begin: time of this round, and how many there were.
-    std::uint64_t tick_ = 0;
+    // Begin: time of this round.
     double now_s_ = 0.0;
     double dt_s_ = 0.0;
     bool started_ = false;
@@ -204,9 +199,6 @@ class HapticLoop final : public PeriodicTask {
     SceneDemand demand_{};
     Wrench applied_D_{};
     HapticState state_{};
-    FeltTime felt_time_{};
-    bool tells_shares_ = false;  // somebody asks for them in this round
-    ForceShares shares_{};
 };
 
 }  // namespace fulcrum

@@ -203,15 +203,15 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
     if (plan.passivity.on && (touch_ || has_forces(plan))) {
         passivity_ = std::make_unique<PassivityStage>(plan, device.traits());
     }
-    list_effects();
+    teller_.emplace(channels, list_effects());
 }
 
 // In the order in which the step adds them.
-void HapticLoop::list_effects() {
+std::vector<EffectSlot> HapticLoop::list_effects() const {
+    std::vector<EffectSlot> effects;
     const auto add = [&](bool is_there, Effect effect) {
         if (is_there) {
-            slot_of_[static_cast<std::size_t>(effect)] = static_cast<std::int8_t>(effects_.size());
-            effects_.push_back({effect, -1});
+            effects.push_back({effect, -1});
         }
     };
     const SurfaceEffects* const surface = touch_ ? touch_->effects.get() : nullptr;
@@ -224,14 +224,13 @@ void HapticLoop::list_effects() {
         Effect::texture);
     add(surface != nullptr && surface->transient, Effect::tap);
     add(weight_ != nullptr, Effect::weight);
-    slot_of_[static_cast<std::size_t>(Effect::field)] = static_cast<std::int8_t>(effects_.size());
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-        effects_.push_back({Effect::field, static_cast<std::int32_t>(i)});
+        effects.push_back({Effect::field, static_cast<std::int32_t>(i)});
     }
     add(line_ != nullptr, Effect::line);
     add(lesson_force_ != nullptr, Effect::lesson);
     add(passivity_ != nullptr, Effect::brake);
-    shares_.n = static_cast<std::int32_t>(effects_.size());
+    return effects;
 }
 
 HapticLoop::~HapticLoop() = default;

@@ -26,8 +26,8 @@ void HapticLoop::add_touch() noexcept {
     demand_.contact = felt.spring;
     demand_.force += felt.counted;
     demand_.wrench_W.force += felt.force_W;
-    share(Effect::contact, felt.spring.force);
-    share(Effect::contact_damping, felt.force_W - felt.spring.force);
+    teller_->share(Effect::contact, felt.spring.force);
+    teller_->share(Effect::contact_damping, felt.force_W - felt.spring.force);
 }
 
 // The tool among the solids; without a force while anything is wrong.
@@ -58,14 +58,14 @@ void HapticLoop::add_tool() noexcept {
     demand_.wrench_W.torque += tool_force_.wrench_W.torque;
     demand_.force += tool_force_.elastic_force;
     demand_.torque += tool_force_.elastic_torque;
-    share(Effect::tool, tool_force_.spring_W.force, tool_force_.spring_W.torque);
+    teller_->share(Effect::tool, tool_force_.spring_W.force, tool_force_.spring_W.torque);
     const Wrench& texture_W = tool_force_.texture_W;
     if (tool_->has_texture()) {
-        share(Effect::texture, texture_W.force, texture_W.torque);
+        teller_->share(Effect::texture, texture_W.force, texture_W.torque);
     }
-    share(Effect::tool_damping,
-          tool_force_.wrench_W.force - tool_force_.spring_W.force - texture_W.force,
-          tool_force_.wrench_W.torque - tool_force_.spring_W.torque - texture_W.torque);
+    teller_->share(Effect::tool_damping,
+                   tool_force_.wrench_W.force - tool_force_.spring_W.force - texture_W.force,
+                   tool_force_.wrench_W.torque - tool_force_.spring_W.torque - texture_W.torque);
 }
 
 // What the hand presses turns; the contact's is the first force of the round, and so far the only one.
@@ -96,7 +96,7 @@ void HapticLoop::push_bodies() noexcept {
         {state_.tool_pose_W, state_.tool_twist_W, may_grip ? state_.buttons : std::uint32_t{0}});
     demand_.wrench_W.force += grip.force_W;
     demand_.force += {grip.spring_W, grip.spring_W};
-    share(Effect::grip, grip.force_W);
+    teller_->share(Effect::grip, grip.force_W);
     if (bodies_->gripped() >= 0) {
         state_.touched_body = solids_->body_of(bodies_->gripped());
     }
@@ -112,7 +112,7 @@ void HapticLoop::add_weight() noexcept {
     const Vector3& force_W = weight_->step(carried_W, dt_s_);
     demand_.wrench_W.force += force_W;
     demand_.force += {force_W, before_W};
-    share(Effect::weight, force_W);
+    teller_->share(Effect::weight, force_W);
 }
 
 void HapticLoop::add_field(std::size_t index) noexcept {
@@ -122,7 +122,7 @@ void HapticLoop::add_field(std::size_t index) noexcept {
                    state_.tool_twist_W.linear, dt_s_);
     demand_.wrench_W.force += force_W;
     demand_.force += field.elastic();
-    share(Effect::field, force_W, Vector3::Zero(), index);
+    teller_->share(Effect::field, force_W, Vector3::Zero(), index);
 }
 
 void HapticLoop::add_line() noexcept {
@@ -143,7 +143,7 @@ void HapticLoop::add_line() noexcept {
     demand_.wrench_W.torque += felt.wrench_W.torque;
     demand_.force += felt.force;
     demand_.torque += felt.torque;
-    share(Effect::line, felt.wrench_W.force, felt.wrench_W.torque);
+    teller_->share(Effect::line, felt.wrench_W.force, felt.wrench_W.torque);
 }
 
 void HapticLoop::add_lesson_force() noexcept {
@@ -154,7 +154,7 @@ void HapticLoop::add_lesson_force() noexcept {
     demand_.wrench_W.torque += wrench_W.torque;
     demand_.force += lesson_force_->elastic_force();
     demand_.torque += lesson_force_->elastic_torque();
-    share(Effect::lesson, wrench_W.force, wrench_W.torque);
+    teller_->share(Effect::lesson, wrench_W.force, wrench_W.torque);
     if (has(lesson_force_->notes(), LinearisationNote::refused_not_finite)) {
         state_.faults |= Fault::command_invalid;
     }

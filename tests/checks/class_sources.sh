@@ -7,7 +7,7 @@ find haptics dialogue runtime -name '*.cpp' | LC_ALL=C sort | { xargs -r grep -H
 BEGIN {
     # With more still; this list only shrinks.
     still["FieldSampler"] = 6
-    still["HapticLoop"] = 4
+    still["HapticLoop"] = 3
     still["RigidWorld"] = 5
 }
 {
