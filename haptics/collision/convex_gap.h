@@ -85,13 +85,11 @@ ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support,
     double last_m = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSteps; ++i) {
         const double length_m = v.norm();
-        if (i > 1 && !(length_m < last_m)) {
-            return best;  // rounding alone is left
-        }
-        last_m = length_m;
-        if (!(length_m > kMeet * size_m)) {
+        // No shorter than before: rounding alone is left.
+        if (!(length_m > kMeet * size_m) || (i > 1 && !(length_m < last_m))) {
             return best;
         }
+        last_m = length_m;
         const Vector3 normal = v / length_m;
         const Vector3 w = find_support(Vector3(-normal));
         const double bound_m = normal.dot(w);
@@ -99,12 +97,8 @@ ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support,
             best = {normal, bound_m};
         }
         size_m = size_m > w.norm() ? size_m : w.norm();
-        const bool is_point_of_it = i > 0;
-        if (is_point_of_it && length_m - bound_m <= kEnough * length_m) {
-            return best;
-        }
-        if (is_enough(normal, bound_m,
-                      is_point_of_it ? length_m : std::numeric_limits<double>::infinity())) {
+        const double most_m = i > 0 ? length_m : std::numeric_limits<double>::infinity();
+        if (most_m - bound_m <= kEnough * length_m || is_enough(normal, bound_m, most_m)) {
             return best;
         }
         if (!simplex.add(w)) {
