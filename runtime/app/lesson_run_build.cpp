@@ -148,7 +148,7 @@ Expected<void> LessonRun::open_hand(const RunOrder& order, ProgressStore& store,
             return scaled;
         }
     } else {
-        made->choice = request;
+        made->choice = static_cast<const HandChoice&>(request);
     }
     made->fit = own.fit;
     auto device = HandDevice::open(own, plan().of_hand(hand));

@@ -1,5 +1,7 @@
 #include "runtime/app/run_plan.h"
 
+#include "haptics/dynamics/rigid_loop_plan.h"
+#include "haptics/dynamics/world.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/files/shape_cache.h"

@@ -67,7 +67,7 @@ template <class Place>
 struct Field {
     Parameter row;
     Place place;
-    double kept_per_unit;  ///< what is kept for one of the unit that is told
+    double kept_per_unit = 1.0;  ///< what is kept for one of the unit that is told
 
     static constexpr bool kIsKept = !std::is_same_v<Place, NoPlace>;
     /// Where it is kept in that owner.
