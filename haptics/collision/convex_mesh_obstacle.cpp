@@ -141,12 +141,9 @@ std::optional<ConvexMeshObstacle::Floor> ConvexMeshObstacle::find_floor_over(
     const TriangleForGap& triangle, const CastQuestion& question) const noexcept {
     const double least_m = cursor_.radius_m() + question.level_m;
     std::optional<Floor> floor;
-    (void)find_convex_gap(
-        find_side(triangle, question.from_B),
-        [&](const Vector3& direction) noexcept {
-            return Vector3(question.from_B + cursor_.find_kept_support(direction) -
-                           triangle.find_farthest(-direction));
-        },
+    (void)find_triangle_gap(
+        triangle, find_side(triangle, question.from_B), question.from_B,
+        [this](const Vector3& direction) noexcept { return cursor_.find_kept_support(direction); },
         [&](const Vector3& normal, double /*apart_m*/, double most_m) noexcept {
             const Floor there = find_floor(normal, question);
             if (there.has_below(triangle)) {
