@@ -22,6 +22,8 @@ struct CouplingSettings {
     double linear_range_m = 0.0;      ///< 0 or more
     double saturation_range_m = 0.0;  ///< above linear_range_m, or 0
     double saturation_force_N = 0.0;  ///< the constant; at least what keeps the cubic rising
+
+    [[nodiscard]] bool saturates() const noexcept { return saturation_range_m > 0.0; }
 };
 
 }  // namespace fulcrum

@@ -27,6 +27,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace fulcrum {
 
@@ -36,6 +37,9 @@ enum class VelocityMethod : std::uint8_t {
     finite_difference,
     kalman
 };
+
+/// "filtered_difference", "adaptive_window", "finite_difference", "kalman".
+[[nodiscard]] std::string_view name_of(VelocityMethod method) noexcept;
 
 inline constexpr double kLongestWindow_s = 0.008;
 inline constexpr double kHandAccelerationDensity =

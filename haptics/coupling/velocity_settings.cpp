@@ -2,7 +2,16 @@
 #include "haptics/base/range.h"
 #include "haptics/coupling/velocity_estimator.h"
 
+#include <array>
+#include <cstddef>
+
 namespace fulcrum {
+
+std::string_view name_of(VelocityMethod method) noexcept {
+    constexpr std::array<std::string_view, 4> kNames{"filtered_difference", "adaptive_window",
+                                                     "finite_difference", "kalman"};
+    return kNames[static_cast<std::size_t>(method)];
+}
 
 Expected<void> validate(const VelocitySettings& settings) {
     const Range ranges[] = {

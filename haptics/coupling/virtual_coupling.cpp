@@ -17,10 +17,6 @@ bool is_within(double value, double low, double high) {
     return value >= low && value <= high;
 }
 
-bool saturates(const CouplingSettings& settings) {
-    return settings.saturation_range_m > 0.0;
-}
-
 // The Hermite between linear and constant, on u in [0, 1], with D the rise and g = k (s2 - s1):
 //   f = f1 + g u + (3 D - 2 g) u^2 + (g - 2 D) u^3
 struct Blend {
@@ -75,8 +71,18 @@ Expected<void> validate(const CouplingSettings& settings) {
     return validate_saturation(settings);
 }
 
+CouplingSettings saturate(const CouplingSettings& settings, double linear_range_m,
+                          double force_N) noexcept {
+    CouplingSettings saturating = settings;
+    const double rise_N = force_N - settings.stiffness_N_per_m * linear_range_m;
+    saturating.linear_range_m = linear_range_m;
+    saturating.saturation_range_m = linear_range_m + 1.5 * rise_N / settings.stiffness_N_per_m;
+    saturating.saturation_force_N = force_N;
+    return saturating;
+}
+
 double compute_spring_force_N(const CouplingSettings& settings, double stretch_m) noexcept {
-    if (!saturates(settings) || stretch_m <= settings.linear_range_m) {
+    if (!settings.saturates() || stretch_m <= settings.linear_range_m) {
         return settings.stiffness_N_per_m * stretch_m;
     }
     if (stretch_m >= settings.saturation_range_m) {
@@ -87,7 +93,7 @@ double compute_spring_force_N(const CouplingSettings& settings, double stretch_m
 }
 
 double compute_spring_slope_N_per_m(const CouplingSettings& settings, double stretch_m) noexcept {
-    if (!saturates(settings) || stretch_m <= settings.linear_range_m) {
+    if (!settings.saturates() || stretch_m <= settings.linear_range_m) {
         return settings.stiffness_N_per_m;
     }
     if (stretch_m >= settings.saturation_range_m) {
@@ -100,7 +106,7 @@ double compute_spring_slope_N_per_m(const CouplingSettings& settings, double str
 
 double compute_spring_energy_J(const CouplingSettings& settings, double stretch_m) noexcept {
     const double linear_m =
-        saturates(settings) ? std::min(stretch_m, settings.linear_range_m) : stretch_m;
+        settings.saturates() ? std::min(stretch_m, settings.linear_range_m) : stretch_m;
     double energy_J = 0.5 * settings.stiffness_N_per_m * linear_m * linear_m;
     if (!(stretch_m > linear_m)) {
         return energy_J;

@@ -23,6 +23,11 @@ namespace fulcrum {
 /// that would fall.
 [[nodiscard]] Expected<void> validate(const CouplingSettings& settings);
 
+/// The same spring with at most `force_N`, linear up to `linear_range_m`, and nowhere steeper than it was, so that what is stable stays so:
+/// a blend of width w = 3 (F - k s1) / 2 k, whose slope is k (1 - u^2). Wants k s1 < F.
+[[nodiscard]] CouplingSettings saturate(const CouplingSettings& settings, double linear_range_m,
+                                        double force_N) noexcept;
+
 /// The spring's force in newtons at a stretch of `stretch_m` >= 0.
 [[nodiscard]] double compute_spring_force_N(const CouplingSettings& settings,
                                             double stretch_m) noexcept;

@@ -105,7 +105,7 @@ Expected<void> validate_ringing(const TransientSettings& tap, double rate_hz) {
 
 Expected<void> validate(const HapticPlan& plan) {
     const Range ranges[] = {
-        {"rate in hertz", plan.rate_hz, 1000.0, kMostRate_Hz},
+        {"rate in hertz", plan.rate_hz, kLeastRate_Hz, kMostRate_Hz},
         {"workspace scale", plan.workspace.scale, 0.01, 100.0},
         {"onset of a weight in seconds", plan.weight_onset_s, 0.02, 5.0},
         {"answers of a lesson in hertz", plan.lesson_rate_hz, 1.0, kMostRate_Hz},

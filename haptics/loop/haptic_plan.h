@@ -115,10 +115,11 @@ struct Workspace {
     double scale = 1.0;  ///< world metres a device metre
 };
 
-inline constexpr double kMostRate_Hz = 5000.0;  ///< of a haptic loop
+inline constexpr double kLeastRate_Hz = 500.0;  ///< of a haptic loop
+inline constexpr double kMostRate_Hz = 5000.0;
 
 struct HapticPlan {
-    double rate_hz = 1000.0;  ///< 1000 to kMostRate_Hz
+    double rate_hz = 1000.0;  ///< kLeastRate_Hz to kMostRate_Hz
     Workspace workspace{};
     SafetySettings safety{};
     CouplingSettings coupling{};

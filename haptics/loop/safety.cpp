@@ -17,7 +17,7 @@ constexpr double kForgotten = 1.0e-40;  // (N s)^2 and N^2 s; what goes on to sh
 constexpr double kLeastSlew_N_per_s = 10.0;
 constexpr double kMostSlew_N_per_s = 5000.0;
 constexpr double kShortestPeriod_s = 1.0 / kMostRate_Hz;
-constexpr double kLongestPeriod_s = 1.0 / 1000.0;
+constexpr double kLongestPeriod_s = 1.0 / kLeastRate_Hz;
 
 // `value` pulled into [low, high]; NaN becomes `strictest`.
 double clamped(double value, double low, double high, double strictest) noexcept {

@@ -69,7 +69,7 @@ inline constexpr double kLongestStep_s =
 class SafetyGate {
   public:
     /// Takes settings that `validate` accepted; others are pulled to the nearest safe value (NaN to
-    /// the strictest). `period_s` is the loop's, 0.0002 to 0.001; any other is taken as 0.001.
+    /// the strictest). `period_s` is the loop's, 0.0002 to 0.002; any other is taken as 0.002.
     explicit SafetyGate(const SafetySettings& settings, double period_s = 0.001) noexcept;
 
     /// What may be sent to the device now. `commanded_D` newtons and newton metres; `dt_s` since

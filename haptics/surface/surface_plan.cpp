@@ -5,7 +5,8 @@
 namespace fulcrum {
 
 Expected<void> validate(const ShadingSettings& settings) {
-    const Range ranges[] = {{"crease angle in degrees", settings.crease_angle_deg, 0.0, 180.0}};
+    const Range ranges[] = {
+        {"crease angle in degrees", settings.crease_angle_deg, 0.0, kMostCrease_deg}};
     return check_ranges("the shading's", ranges);
 }
 

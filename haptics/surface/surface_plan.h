@@ -10,10 +10,15 @@
 
 namespace fulcrum {
 
+inline constexpr double kMostCrease_deg = 180.0;
+
 /// Normals that turn evenly over a mesh's edges instead of jumping (shading.h).
 struct ShadingSettings {
     bool on = false;
-    double crease_angle_deg = 30.0;  ///< edges that bend more than this stay sharp, 0 to 180
+    double crease_angle_deg =
+        30.0;  ///< edges that bend more than this stay sharp, 0 to kMostCrease_deg
+
+    bool operator==(const ShadingSettings&) const = default;
 };
 
 /// Fixed at load.

@@ -19,12 +19,11 @@
 
 #include "haptics/dynamics/loads.h"
 #include "haptics/tool/contact_model.h"
+#include "haptics/tool/tool_solver.h"
 
 #include <span>
 
 namespace fulcrum {
-
-enum class PenaltyModel : std::uint8_t { planes, linearised, held };
 
 inline constexpr double kCriticalDamping = -1.0;
 

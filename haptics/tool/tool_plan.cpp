@@ -214,6 +214,12 @@ std::size_t count_points(const ToolPlan& plan) {
     return most;
 }
 
+const char* find_quadrant(ToolMethod method, ToolMass mass) noexcept {
+    return method == ToolMethod::god_object ? "hard, massless"
+           : mass == ToolMass::massless     ? "soft, massless"
+                                            : "soft, massive";
+}
+
 bool has_texture(const ToolPlan& plan) {
     const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects);
     return meshes != nullptr && has_texture(*meshes);

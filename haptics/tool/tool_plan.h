@@ -107,6 +107,10 @@ struct LevelOrder {
 /// them.
 [[nodiscard]] std::size_t count_points(const ToolPlan& plan);
 
+/// Of Otaduy and Lin's four: "hard, massless", "soft, massless" or "soft, massive"; whether constraints hold to the point, and whether the
+/// tool has a mass. The fourth, "hard, massive", is a body of the world that a hand grips (dynamics/hand_rows.h).
+[[nodiscard]] const char* find_quadrant(ToolMethod method, ToolMass mass) noexcept;
+
 /// Whether the relief of some object is felt.
 [[nodiscard]] bool has_texture(const ToolPlan& plan);
 /// Whether normals that turn evenly are.

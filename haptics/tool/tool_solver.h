@@ -34,6 +34,14 @@ enum class ContactFinding : std::uint8_t {
 };
 inline constexpr std::array<const char*, 2> kContactFindings{"fields", "levels"};
 
+/// How implicit_penalty's contacts push until they are found anew.
+enum class PenaltyModel : std::uint8_t {
+    planes,  ///< each cluster as a plane (contact_planes.h)
+    linearised,  ///< their force and its slopes where they were found (contact_taylor.h; Otaduy and Lin 2005)
+    held  ///< their force where they were found: what both are measured against
+};
+inline constexpr std::array<const char*, 3> kPenaltyModels{"planes", "linearised", "held"};
+
 /// How one object acts on the tool.
 struct ToolTouch {
     Wrench wrench_W{};     ///< on the tool, N and Nm about its centre of mass

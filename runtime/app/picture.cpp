@@ -33,6 +33,8 @@ std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
     std::vector<std::string> notices;
     if (lesson.hand.tool && !lesson.hand.tool->model.empty()) {
         names.push_back(lesson.hand.tool->model);
+    } else if (!lesson.hand.cursor_model.empty()) {
+        names.push_back(lesson.hand.cursor_model);
     } else if (lesson.hand.tool || has_shaped_cursor(lesson.hand)) {
         LoadedModel tool =
             make_tool_model(lesson.hand.tool ? lesson.hand.tool->shape : lesson.hand.cursor);
@@ -42,6 +44,10 @@ std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
         }
     }
     for (const HandDescription& hand : lesson.more_hands) {
+        if (!hand.cursor_model.empty()) {
+            names.push_back(hand.cursor_model);
+            continue;
+        }
         LoadedModel tool = make_second_tool_model(hand.cursor);
         tool.name = kSecondToolModel;
         if (auto added = renderer_->add_model(tool); !added) {

@@ -167,8 +167,6 @@ void add_tool(const ToolDescription& tool, const ToolPlan& plan, Facts& facts) {
 void add_plan(const FactSources& run, Facts& facts) {
     constexpr std::array<std::string_view, 3> kProxies{"god-object", "virtual proxy",
                                                        "friction cone"};
-    constexpr std::array<std::string_view, 4> kVelocities{"filtered difference", "adaptive window",
-                                                          "finite difference", "Kalman"};
     const Plan& plan = run.plan;
     const HapticPlan& haptic = plan.haptic;
     if (haptic.tool) {
@@ -176,8 +174,7 @@ void add_plan(const FactSources& run, Facts& facts) {
     } else if (!haptic.solids.empty()) {
         facts.add("plan.proxy", std::string(kProxies[static_cast<std::size_t>(haptic.proxy.kind)]));
     }
-    facts.add("plan.velocity",
-              std::string(kVelocities[static_cast<std::size_t>(haptic.velocity_method)]));
+    facts.add("plan.velocity", std::string(name_of(haptic.velocity_method)));
     facts.add("plan.coupling N/m", haptic.coupling.stiffness_N_per_m);
     facts.add("plan.coupling Ns/m", haptic.coupling.damping_Ns_per_m);
     facts.add("plan.lesson Hz", plan.haptic.lesson_rate_hz);

@@ -250,7 +250,9 @@ std::string tool_model(const LessonDescription& lesson) {
     if (has_reel(lesson)) {
         return std::string(kReelModel);
     }
-    return has_shaped_cursor(lesson.hand) ? std::string(kToolModel) : "cursor";
+    return !lesson.hand.cursor_model.empty() ? lesson.hand.cursor_model
+           : has_shaped_cursor(lesson.hand)  ? std::string(kToolModel)
+                                             : "cursor";
 }
 
 std::string force_text(const dialogue::Catalogue& catalogue, const std::string& hand,
@@ -274,7 +276,8 @@ void add_more_hands(const LessonDescription& lesson, const Scenery& scenery,
         const HandScenery& shown = scenery.more_hands[i];
         const std::string number = std::to_string(i + 2);
         ViewHand& hand = view.more_hands.emplace_back();
-        hand.tool.model = std::string(kSecondToolModel);
+        const std::string& model = lesson.more_hands[i].cursor_model;
+        hand.tool.model = model.empty() ? std::string(kSecondToolModel) : model;
         hand.tool.pose_W = {shown.hand.proxy_position_W, shown.hand.proxy_orientation_W};
         hand.ghost_visible = shown.ghost;
         hand.ghost_pose_W = shown.ghost_pose_W;

@@ -85,6 +85,7 @@ Plan begin_plan(const LessonDescription& lesson, const PlanOptions& options) {
     Plan begun;
     HapticPlan& plan = begun.haptic;
     plan.rate_hz = lesson.hand.rate_hz;
+    plan.velocity_method = lesson.hand.velocity;
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
     apply(options.site, plan.safety);
@@ -127,6 +128,12 @@ std::string_view proxy_name(ProxyKind kind) {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
+std::string text_of_structure(const ProxySettings& proxy) {
+    return proxy.structure == SegmentStructureKind::bounding_tree
+               ? ""
+               : ", found by " + std::string(name_of(proxy.structure));
+}
+
 void list_other_loops(const LessonDescription& lesson, Plan& plan) {
     const auto add = [&plan](std::string loop, std::string name, double rate_hz,
                              std::string because, SourceLine line) {
@@ -149,8 +156,10 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         plan.stages.back().memory_bytes = count_kite_bytes(plan.kite->flight);
     }
     if (plan.rigid) {
-        add("world", "rigid bodies", plan.rigid->rate_hz, "bodies lie, fall and are pushed",
-            first_rigid_line(lesson));
+        const ContactMethod method = plan.rigid->world.settings.solver.method;
+        add("world", "rigid bodies", plan.rigid->rate_hz,
+            "bodies lie, fall and are pushed; solved by " + std::string(to_string(method)),
+            lesson.contacts.line > 0 ? lesson.contacts.line : first_rigid_line(lesson));
     }
     add("lesson", "lua", plan.haptic.lesson_rate_hz, "every lesson is a Lua file", 0);
     if (plan.dialogue) {
@@ -213,7 +222,8 @@ void list_moving_stages(const LessonDescription& lesson, const HapticPlan& hapti
             lesson.bodies[static_cast<std::size_t>(solid.body)].line);
     }
     if (!haptic.rigid.empty()) {
-        add(HapticStage::pushing, "the hand pushes and grips rigid bodies",
+        add(HapticStage::pushing,
+            "the hand pushes rigid bodies, and one that it grips is hard and massive",
             first_rigid_line(lesson));
     }
 }
@@ -228,15 +238,22 @@ void list_haptic_stages(const LessonDescription& lesson, const HapticPlan& hapti
     const SourceLine line_of_hand = loop == name_of_loop(0) ? 0 : lesson.hand.line;
     add(HapticStage::take_inputs, "the lesson and the world speak to it", 0);
     add(HapticStage::read, "a hand holds the device", line_of_hand);
-    add(HapticStage::estimate, "dampers and the lesson need a velocity", 0);
+    const bool is_usual_velocity = haptic.velocity_method == VelocityMethod::adaptive_window;
+    add(HapticStage::estimate,
+        "dampers and the lesson need a velocity, by " +
+            std::string(name_of(haptic.velocity_method)),
+        is_usual_velocity ? 0 : lesson.hand.line);
     if (haptic.tool) {
-        add(HapticStage::tool, "a " + name_of(*lesson.hand.tool) + " meets bodies",
+        add(HapticStage::tool,
+            "a " + name_of(*lesson.hand.tool) + " meets bodies; " +
+                find_quadrant(lesson.hand.tool->method, haptic.tool->settings.mass),
             lesson.hand.line);
         list_moving_stages(lesson, haptic, add);
     } else if (!haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(haptic.solids.front().body);
         add(HapticStage::proxy,
-            "a body can be touched, by a " + std::string(proxy_name(haptic.proxy.kind)),
+            "a body can be touched, by a " + std::string(proxy_name(haptic.proxy.kind)) +
+                text_of_structure(haptic.proxy) + "; hard, massless",
             lesson.hand.proxy ? lesson.hand.line : lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
         list_moving_stages(lesson, haptic, add);
@@ -340,7 +357,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
         !solids) {
         return tl::unexpected(solids.error());
     }
-    if (auto proxy = choose_proxy(lesson, plan.haptic); !proxy) {
+    if (auto proxy = choose_proxy(lesson, load_solid, plan.haptic); !proxy) {
         return tl::unexpected(proxy.error());
     }
     if (auto tool = add_tool(lesson, load_solid, options, plan); !tool) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dialogue/marking/feedback_ladder.h"
+#include "haptics/constraint/contact_method.h"
 #include "haptics/dynamics/axle.h"
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/joint_plan.h"
@@ -100,7 +101,7 @@ struct BodyDescription {
     std::string simulated_model{};             ///< empty: as it is felt
     BodyShape felt_as = BodyShape::model;      ///< what is made of the felt one
     BodyShape collides_as = BodyShape::model;  ///< what is made of the simulated one
-    bool rounded = false;  ///< its facets are felt as one even surface, as far as its creases
+    ShadingSettings shading{};  ///< its facets are felt as one even surface, as far as its creases
 };
 
 /// The body with what the hand feels of it as its model.
@@ -142,6 +143,13 @@ struct BucketDescription {
     SourceLine line = 0;
 };
 
+/// How contacts between rigid bodies are solved.
+struct RigidSolveDescription {
+    ContactMethod method = ContactMethod::newton;
+    FrictionShape friction = FrictionShape::cone;
+    SourceLine line = 0;  ///< 0: the lesson does not say
+};
+
 struct CameraDescription {
     Vector3 eye_W{0.0, 0.55, 1.5};
     Vector3 target_W{0.0, 0.35, 0.0};
@@ -168,10 +176,11 @@ struct ToolDescription {
     ToolMethod method = ToolMethod::field_sampling;
     bool massless = false;
     Integrator integrator = Integrator::backward_euler;
-    bool rounded = false;  ///< its facets are felt as one even surface, as far as its creases
+    ShadingSettings shading{};  ///< its facets are felt as one even surface, as far as its creases
     ContactFinding contact = ContactFinding::fields;  ///< of implicit_penalty
     double detail = kUsualDetail;  ///< of contact levels: their tolerance in parts of its size
     double budget_us = 0.0;        ///< of contact levels, in each step of a live run; 0: half of it
+    PenaltyModel contact_model = PenaltyModel::planes;  ///< of implicit_penalty
 };
 
 /// A lesson's: both of a person, or a finger of each.
@@ -190,6 +199,9 @@ struct HandDescription {
     SourceLine line = 0;
     std::optional<ToolDescription> tool{};  ///< instead of either
     bool needed = false;  ///< of a further hand: the lesson cannot be played without it
+    VelocityMethod velocity = VelocityMethod::adaptive_window;             ///< how it is found out
+    SegmentStructureKind structure = SegmentStructureKind::bounding_tree;  ///< of a god_object
+    std::string cursor_model{};  ///< whose hull the cursor is, in its own size; or empty
 };
 
 /// Answers to a question of which is known how they are to be marked.
@@ -273,6 +285,7 @@ struct LessonDescription {
     double sureness = 0.4;   ///< of who hears, 0 to 1; what is less sure is asked for again
     Vector3 gravity_W{0.0, -9.81, 0.0};
     double ground_height_m = 0.0;
+    RigidSolveDescription contacts{};
     std::vector<MaterialDescription> materials;
     std::vector<BodyDescription> bodies;
     std::vector<ForceDescription> forces;

@@ -86,11 +86,8 @@ void List::add_rate(std::size_t hand) {
 }
 
 void List::add_velocity(std::size_t hand, const DeviceTraits& device) {
-    constexpr std::array<const char*, 4> kMethods{"filtered difference", "adaptive window",
-                                                  "finite difference", "Kalman filter"};
     const HapticPlan& plan = plan_.of_hand(hand);
-    Knob knob{.what = std::string("velocity by ") +
-                      kMethods[static_cast<std::size_t>(plan.velocity_method)] +
+    Knob knob{.what = "velocity by " + std::string(name_of(plan.velocity_method)) +
                       ", turning below " + times(plan.velocity_cutoff_hz, "Hz")};
     if (device.position_resolution_m > 0.0) {
         knob.because = "the device counts steps, and nobody knows how fast the hand was";

@@ -73,13 +73,14 @@ Expected<void> add_more_hands(const LessonDescription& lesson, const SolidLoader
         HapticPlan hand = plan.haptic;
         hand.workspace.pose_WD.position = seen.hand.centre_W;
         hand.workspace.scale = seen.hand.scale;
+        hand.velocity_method = seen.hand.velocity;
         hand.coupling = make_usual_coupling(hand, options.holders, seen.hand.scale);
         // The same bodies, as stiff in this hand as in the other one; they are heard of the first.
         hand.solids.clear();
         if (auto solids = add_solids(seen, load_solid, materials, false, hand); !solids) {
             return solids;
         }
-        if (auto proxy = choose_proxy(seen, hand); !proxy) {
+        if (auto proxy = choose_proxy(seen, load_solid, hand); !proxy) {
             return proxy;
         }
         plan.more_hands.push_back(std::move(hand));

@@ -129,8 +129,12 @@ Expected<void> add_joints(const LessonDescription& lesson, RigidLoopPlan& rigid)
     return {};
 }
 
-/// What is simulated of a body counts among rigid ones alone.
+/// What is simulated of a body, and how, counts among rigid ones alone.
 Expected<void> refuse_simulated(const LessonDescription& lesson) {
+    if (lesson.contacts.line > 0) {
+        return fail("world:contacts is for rigid bodies, and the lesson has none",
+                    at_line(lesson.contacts.line), "leave it out, or make a body rigid = true");
+    }
     for (const BodyDescription& body : lesson.bodies) {
         if (!body.simulated_model.empty() || body.collides_as != BodyShape::model) {
             return fail("the " + body.noun + " has a " +
@@ -183,6 +187,9 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoad
     RigidLoopPlan rigid;
     rigid.world.settings.gravity_W = lesson.gravity_W;
     rigid.world.settings.slow_period_s = kSlowPeriod_s;
+    rigid.world.settings.solver.method = lesson.contacts.method;
+    rigid.world.settings.solver.friction_shape = lesson.contacts.friction;
+    rigid.rate_hz = std::min(rigid.rate_hz, lesson.hand.rate_hz);
     rigid.world.bodies = {make_ground(lesson)};
     rigid.scene_bodies = {kNoBody};
     const double gravity = lesson.gravity_W.norm();

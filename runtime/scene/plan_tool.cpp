@@ -228,6 +228,9 @@ Expected<ToolPlan> put_among(const ToolDescription& tool, const ToolOrder& order
     if (!made) {
         return made;
     }
+    if (made->penalty) {
+        made->penalty->contacts.model = tool.contact_model;
+    }
     return validate(*made).map([&] { return std::move(*made); }).map_error([](const Error& /*e*/) {
         return Error{"how it presses against so small a body cannot be computed",
                      {},
@@ -287,6 +290,10 @@ std::string name_of(const ToolDescription& tool) {
 
 const char* name_of(ContactFinding contact) {
     return kContactFindings.at(static_cast<std::size_t>(contact));
+}
+
+const char* name_of(PenaltyModel model) {
+    return kPenaltyModels.at(static_cast<std::size_t>(model));
 }
 
 const char* name_of(ToolMethod method) {

@@ -57,6 +57,9 @@ struct ToolObjectFacts {
 /// "fields" or "levels", as a lesson calls it.
 [[nodiscard]] const char* name_of(ContactFinding contact);
 
+/// "planes", "linearised" or "held", as a lesson calls it.
+[[nodiscard]] const char* name_of(PenaltyModel model);
+
 /// "field_sampling", "voxel_sampling", "implicit_penalty" or "god_object", as a lesson calls it.
 [[nodiscard]] const char* name_of(ToolMethod method);
 

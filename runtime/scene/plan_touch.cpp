@@ -27,7 +27,19 @@ ProxySettings proxy_settings(const HandDescription& hand, const std::vector<Soli
                  : is_point                             ? ProxyKind::god_object
                                                         : ProxyKind::virtual_proxy;
     proxy.kind = hand.proxy.value_or(proxy.kind);
+    proxy.structure = hand.structure;
     return proxy;
+}
+
+/// The hull of the model that the hand touches with.
+Expected<HullShape> load_cursor(const HandDescription& hand, const SolidLoader& load_solid) {
+    BodyDescription body;
+    body.name = body.noun = "cursor";
+    body.model = hand.cursor_model;
+    body.line = hand.line;
+    return load_solid(body)
+        .and_then([](const MeshShape& mesh) { return make_body_shape(BodyShape::hull, mesh); })
+        .map([](const SolidShape& shape) { return std::get<HullShape>(shape); });
 }
 
 /// What is right as a material may still be too much for this hand's scale and rate.
@@ -156,7 +168,7 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
                         Pose::at(body.position_W)};
         solid.shape_B = felt->shape_B;
         solid.lets_out = true;
-        solid.surface.shading.on = body.rounded;
+        solid.surface.shading = body.shading;
         if (body.material != kNoMaterial) {
             put_material(materials[static_cast<std::size_t>(body.material)], solid);
             scale_coupling(*solid.coupling, lesson.hand.scale);
@@ -176,11 +188,20 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
     return {};
 }
 
-Expected<void> choose_proxy(const LessonDescription& lesson, HapticPlan& plan) {
+Expected<void> choose_proxy(const LessonDescription& lesson, const SolidLoader& load_solid,
+                            HapticPlan& plan) {
     if (plan.solids.empty()) {
         return {};
     }
     plan.proxy = proxy_settings(lesson.hand, plan.solids);
+    if (!lesson.hand.cursor_model.empty()) {
+        auto hull = load_cursor(lesson.hand, load_solid);
+        if (!hull) {
+            return fail("the cursor: " + hull.error().message, at_line(lesson.hand.line),
+                        hull.error().what_to_do);
+        }
+        plan.proxy.cursor = std::move(*hull);
+    }
     return validate(plan.proxy, plan.solids).map_error([&](const Error& error) {
         return Error{error.message, at_line(lesson.hand.line), error.what_to_do};
     });

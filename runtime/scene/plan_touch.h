@@ -23,6 +23,7 @@ namespace fulcrum::runtime {
                                         HapticPlan& plan);
 
 /// What the lesson chose, or the least that shows what the solids of the plan have.
-[[nodiscard]] Expected<void> choose_proxy(const LessonDescription& lesson, HapticPlan& plan);
+[[nodiscard]] Expected<void> choose_proxy(const LessonDescription& lesson,
+                                          const SolidLoader& load_solid, HapticPlan& plan);
 
 }  // namespace fulcrum::runtime

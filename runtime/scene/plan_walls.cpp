@@ -1,5 +1,7 @@
 #include "runtime/scene/plan_walls.h"
 
+#include "haptics/coupling/virtual_coupling.h"
+
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -65,6 +67,9 @@ bool soften(const std::string& what, SourceLine line, const WallHolders& holders
     const CouplingSettings wanted = wall;
     const WallHolder* asks = nullptr;
     wall = fit_wall_to_all(wanted, holders, loop_of(plan.haptic), asks);
+    if (wanted.saturates()) {
+        wall = saturate(wall, wanted.linear_range_m, wanted.saturation_force_N);
+    }
     if (asks == nullptr) {
         return false;
     }

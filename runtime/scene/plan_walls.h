@@ -13,6 +13,8 @@ namespace fulcrum::runtime {
 inline void scale_coupling(CouplingSettings& coupling, double scale) {
     coupling.stiffness_N_per_m /= scale;
     coupling.damping_Ns_per_m /= scale;
+    coupling.linear_range_m *= scale;
+    coupling.saturation_range_m *= scale;
 }
 
 /// Of any hand of the lesson: where forces are stiffest in it.

@@ -26,11 +26,12 @@ std::shared_ptr<const Texture> find_texture(const LessonDescription& lesson,
     return std::make_shared<const Texture>(solids[i].surface.texture);
 }
 
-Expected<std::shared_ptr<const GodShading>> shade(bool wanted, const TriangleMesh& mesh) {
-    if (!wanted) {
+Expected<std::shared_ptr<const GodShading>> shade(const ShadingSettings& wanted,
+                                                  const TriangleMesh& mesh) {
+    if (!wanted.on) {
         return std::shared_ptr<const GodShading>{};
     }
-    return GodShading::create(mesh, {.on = true});
+    return GodShading::create(mesh, wanted);
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ Expected<std::shared_ptr<const GodShading>> shade(bool wanted, const TriangleMes
 Expected<void> put_surfaces(const LessonDescription& lesson, const ToolBodyList& list,
                             const std::vector<SolidPlan>& solids, const TriangleMesh& tool,
                             std::vector<GodObjectPlan>& plans) {
-    const auto of_tool = shade(lesson.hand.tool->rounded, tool);
+    const auto of_tool = shade(lesson.hand.tool->shading, tool);
     if (!of_tool) {
         return tl::unexpected(of_tool.error());
     }
@@ -47,17 +48,18 @@ Expected<void> put_surfaces(const LessonDescription& lesson, const ToolBodyList&
         plan.friction = solids[i].friction;
         plan.texture = find_texture(lesson, solids, i, plans);
         plan.tool_shading = *of_tool;
-        const auto shared =
-            std::find_if(plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(i),
-                         [&](const GodObjectPlan& other) {
-                             return other.object == plan.object && other.object_shading != nullptr;
-                         });
-        const bool is_rounded = solids[i].surface.shading.on;
-        if (is_rounded && shared != plans.begin() + static_cast<std::ptrdiff_t>(i)) {
-            plan.object_shading = shared->object_shading;
+        // Bodies of one model that are alike in this share their normals.
+        const ShadingSettings& wanted = solids[i].surface.shading;
+        std::size_t shared = 0;
+        while (shared < i &&
+               (plans[shared].object != plan.object || solids[shared].surface.shading != wanted)) {
+            ++shared;
+        }
+        if (shared < i) {
+            plan.object_shading = plans[shared].object_shading;
             continue;
         }
-        auto shading = shade(is_rounded, list.meshes[list.mesh_of[i]].mesh);
+        auto shading = shade(wanted, list.meshes[list.mesh_of[i]].mesh);
         if (!shading) {
             return tl::unexpected(shading.error());
         }

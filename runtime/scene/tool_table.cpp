@@ -127,6 +127,13 @@ std::string own_lines(const LessonDescription& lesson, const Plan& plan) {
     return line.data();
 }
 
+// How its contacts push, where there is a choice.
+std::string contact_line(const ToolDescription& tool) {
+    return tool.method == ToolMethod::implicit_penalty
+               ? std::string(17, ' ') + "contacts push as: " + name_of(tool.contact_model) + "\n"
+               : "";
+}
+
 // A body as the tool meets it.
 std::string body_lines(const std::string& noun, const ToolObjectFacts& facts, ShapeSource source) {
     std::array<char, 256> line{};
@@ -155,7 +162,8 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
     if (!plan.haptic.tool || !lesson.hand.tool) {
         return {};
     }
-    std::string text = "\nThe tool in the hand, and what it meets:\n" + own_lines(lesson, plan);
+    std::string text = "\nThe tool in the hand, and what it meets:\n" + own_lines(lesson, plan) +
+                       contact_line(*lesson.hand.tool);
     const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.haptic.tool);
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids[i].body);

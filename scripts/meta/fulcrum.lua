@@ -220,6 +220,14 @@ function World:gravity(acceleration) end
 ---@param height number where bodies land; in metres, -100 to 100
 function World:ground(height) end
 
+---@class ContactsOptions
+---@field method? string how the forces between rigid bodies are found, by the name of the method: all at once; or one after the other until all fit (dantzig); or round after round, nearer each time (iterative); "newton", "dantzig" or "iterative"; default newton
+---@field friction? string alike in all directions, or as a pyramid of four sides, which holds more along its corners; dantzig has the pyramid alone; "cone" or "pyramid"; default cone
+
+---Chooses how contacts between rigid bodies are solved. Of each `explain` says what it costs.
+---@param options ContactsOptions
+function World:contacts(options) end
+
 ---Shows a dark sky with stars instead of a meadow.
 function World:space() end
 
@@ -267,7 +275,8 @@ function World:camera(options) end
 ---@field movable? boolean may fall, be caught and be held; default false
 ---@field solid? boolean can be touched; default false
 ---@field material? Material|string what a solid body is made of, see Materials: "wood", or what world:material gave
----@field rounded? boolean a solid body's facets are felt as one, even over bends of up to 30 degrees; default false
+---@field rounded? boolean a solid body's facets are felt as one, even over bends of up to its crease; default false
+---@field crease? number of a rounded body: an edge that bends more than this stays sharp; in degrees, 0 to 180; default 30
 ---@field visible? boolean is seen from the start; default false
 ---@field at? Vector|Body|Tool where it is at first; in metres, -10000 to 10000; default {0, 0, 0}
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
@@ -342,18 +351,23 @@ function World:magnet(options) end
 ---@field method? string how it is kept outside bodies, by the name of the method: points on it by the distance to their surface, or by cubes that they are made of; or by planes that a few clusters of contact lie on, which hold even where contact is found late (implicit_penalty); or all of its triangles, which never get into theirs, however thin they are, and which alone feel the friction and the texture of their materials (god_object: mass, points and voxel say nothing then); "field_sampling", "voxel_sampling", "implicit_penalty" or "god_object"; default field_sampling
 ---@field massless? boolean it has no mass of its own: nothing smooths what it meets; default false
 ---@field integrator? string how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with massless; "explicit_euler", "semi_implicit_euler", "verlet", "runge_kutta_4" or "backward_euler"; default backward_euler
----@field rounded? boolean its facets are felt as one even surface, as far as creases of 30 degrees; for god_object; default false
+---@field rounded? boolean its facets are felt as one even surface, as far as its creases; for god_object; default false
+---@field crease? number of a rounded tool: an edge that bends more than this stays sharp; in degrees, 0 to 180; default 30
 ---@field contact? string of implicit_penalty: how it is found where the tool is near a body: points on it by the distance to the surface, or its triangles and theirs by levels of detail, as finely as can be felt, which take some seconds to make the first time (levels: voxel and points say nothing then); "fields" or "levels"; default fields
 ---@field detail? number of contact = "levels": what may be felt as one; 0 is as fine as the meshes, and so is the default beside a budget; nothing gets through, however coarse it is; in of the tool's size, 0 to 0.2; default 0.025
 ---@field budget? number of contact = "levels": how long finding contacts may take in each step of a live run, as finely as there is time, and no finer than the detail; half a step by default; in microseconds, 20 to 500
+---@field contact_model? string of implicit_penalty: how what was found pushes until it is found anew: each cluster as a plane that never pulls, or by the force and its slopes there, which go on as straight as they began; "planes" or "linearised"; default planes
 
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
 ---@field scale? number metres in the scene for one metre of a hand that reaches 20 cm each way; one that reaches less gets more; 0.01 to 100; default 1
----@field rate? number how often forces are computed; in hertz, 1000 to 5000; default 1000
+---@field rate? number how often forces are computed; what is stiff or rings wants more, a slow computer has time for less; in hertz, 500 to 5000; default 1000
+---@field velocity? string how the hand's speed is found from its places, by the name of the method: what damps and sounds goes by it; "filtered_difference", "adaptive_window", "finite_difference" or "kalman"; default adaptive_window
+---@field structure? string of proxy = "god_object" with a point: how the triangle that it meets is found; where it goes is the same with both; "bounding_tree" or "h_collide"; default bounding_tree
 ---@field proxy? string what solid bodies are touched with, by the name of its method; what the scene needs by default: friction_cone where something has friction; "god_object", "virtual_proxy" or "friction_cone"
----@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone, and turn as the hand does, without a torque; "point", "ball", "box", "capsule" or "cylinder"; default point
----@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side, a capsule without its round ends; in metres, 0.0005 to 1; default 0.005
+---@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone, and turn as the hand does, without a torque; a hull is that of cursor_model; "point", "ball", "box", "capsule", "cylinder" or "hull"; default point
+---@field cursor_model? string model, in its own size, whose hull is the cursor: what is tightly wrapped round it, without its hollows
+---@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side, a capsule without its round ends; a hull has the size of its model; in metres, 0.0005 to 1; default 0.005
 ---@field tool? HandTool what the hand holds instead of a cursor: a thing with a shape, felt with force and torque, that stays outside solid bodies, at most 16 of them, without a material; where the hand is pressed in, a pale ghost of it shows where the hand is; a hand that cannot turn holds it upright; no bucket goes with it
 ---@field needed? boolean of a second hand: without a device for it the lesson is not played; default false
 
@@ -365,6 +379,10 @@ function World:hand(options) end
 ---Declares the lesson's own force on the hand, computed 60 times a second and carried on in between by its slope; a torque by its slope in place alone. It comes at 50 newtons a second at most, and more slowly when it is steeper than 2000 newtons per metre.
 ---@param compute function function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz; or six numbers, the last three a torque in newton metres
 function Hand:force(compute) end
+
+---@class MaterialSaturation
+---@field force? number the most that its spring gives, however deep it is pressed; in newtons, 0.2 to 10
+---@field linear_range? number so deep it is an even spring, then it yields more and more; by default up to half the force; in metres, 0 to 0.9
 
 ---@class MaterialTexture
 ---@field image? string PNG or JPEG beside the lesson, such as "felt.jpg": dark is low, light is high; of at most 48 letters
@@ -388,6 +406,7 @@ function Hand:force(compute) end
 ---@field like? string a material that it begins as, see Materials; what is not said here is that one's
 ---@field stiffness? number of its spring; a cushion is about 100, and an arm holds some 500 to 1000; what it can't hold is felt softer or refused; in newtons per metre, 10 to 5000
 ---@field damping? number how much it swallows; in newton seconds per metre, 0 to 50
+---@field saturation? MaterialSaturation a spring that yields, as of dough or a pillow
 ---@field friction? number what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, rubber 1; 0 to 5
 ---@field sliding_friction? number the same while it slides; 0.8 of friction by default; 0 to 5
 ---@field viscous_friction? number what brakes the hand besides, the faster it slides the more, as on something wet or greasy; none by default; in newton seconds per metre, 0 to 20

@@ -5,6 +5,7 @@
 // wall_trial.h does, by the arm's true place and the force that is sent; without the arm's dry friction, which would hide a vibration.
 #pragma once
 
+#include "haptics/coupling/virtual_coupling.h"
 #include "haptics/device/arm/simulated_wam.h"
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/geometry/shape.h"
@@ -34,6 +35,8 @@ struct DeclaredWall {
         false;  ///< both ways, as a force of the lesson; the hand begins where it pulls to
     bool is_dry = false;      ///< with the desktop arm's own dry friction
     double hand_scale = 1.0;  ///< world metres a metre of the device
+    double saturation_N =
+        0.0;  ///< the most that it gives, even up to half of that; 0: an even spring
     std::function<void(HapticPlan&)>
         change{};  ///< for curves over a setting: of the plan, before it is used
 };
@@ -65,6 +68,10 @@ inline constexpr double kAboveWall_m = 0.01;
     material.name = "wall";
     material.coupling = {.stiffness_N_per_m = wall.stiffness_N_per_m,
                          .damping_Ns_per_m = wall.damping_Ns_per_m};
+    if (wall.saturation_N > 0.0) {
+        material.coupling = saturate(
+            material.coupling, 0.5 * wall.saturation_N / wall.stiffness_N_per_m, wall.saturation_N);
+    }
     lesson.materials.push_back({material, {}, {}, 2});
     runtime::BodyDescription body;
     body.name = body.noun = "block";

@@ -211,9 +211,12 @@ end
             const std::string_view owner = binding.owner;
             const std::string receiver =
                 owner == "lesson" ? "L" : declared_.handle(choices_, owner);
-            // The wind is for a kite.
-            if (binding.name == std::string_view("wind") && !declared_.handles.contains("kite") &&
-                !choices_.chance(3)) {
+            // The wind is for a kite, and contacts for rigid bodies.
+            const bool is_of_no_use =
+                (binding.name == std::string_view("wind") && !declared_.handles.contains("kite")) ||
+                (binding.name == std::string_view("contacts") &&
+                 lesson_.text.find("rigid = true") == std::string::npos);
+            if (is_of_no_use && !choices_.chance(3)) {
                 continue;
             }
             if (!receiver.empty() && binding.name == std::string_view("body")) {

@@ -25,7 +25,7 @@ inline runtime::LessonDescription make_touch_lesson(const Material& material, bo
     body.model = model;
     body.radius_m = 0.1;
     body.solid = body.visible = true;
-    body.rounded = rounded;
+    body.shading.on = rounded;
     body.material = 0;
     body.line = 3;
     lesson.bodies.push_back(body);

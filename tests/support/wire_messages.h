@@ -53,15 +53,19 @@ inline LessonDescription full_description() {
                                   ToolMethod::voxel_sampling,
                                   true,
                                   Integrator::verlet,
-                                  true,
+                                  {true, 20.0},
                                   ContactFinding::levels,
                                   0.05,
-                                  150.0};
+                                  150.0,
+                                  PenaltyModel::linearised};
     d.more_hands = {{Vector3(-0.2, 0.4, 0), 1.5, 2000.0, false, 0, ProxyKind::friction_cone,
                      SphereShape{0.008}, 24}};
     d.more_hands[0].needed = true;
     d.bodies[1].material = 1;
-    d.bodies[1].rounded = true;
+    d.bodies[1].shading = {true, 55.0};
+    d.more_hands[0].velocity = VelocityMethod::kalman;
+    d.more_hands[0].structure = SegmentStructureKind::h_collide;
+    d.contacts = {ContactMethod::iterative, FrictionShape::pyramid, 25};
     BodyDescription block;
     block.name = block.noun = block.model = "block";
     block.solid = true;

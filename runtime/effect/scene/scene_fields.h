@@ -19,6 +19,19 @@ inline constexpr std::tuple kGround{
     field(&LessonDescription::ground_height_m,
           {"height", number, "metres", -100, 100, kRequired, "where bodies land"})};
 
+inline constexpr std::tuple kContacts{
+    field(&RigidSolveDescription::method,
+          {"method", choice, "", 0, 0, "newton",
+           "how the forces between rigid bodies are found, by the name of the method: all at once; "
+           "or one after the other until all fit (dantzig); or round after round, nearer each "
+           "time (iterative)",
+           "newton dantzig iterative"}),
+    field(&RigidSolveDescription::friction,
+          {"friction", choice, "", 0, 0, "cone",
+           "alike in all directions, or as a pyramid of four sides, which holds more along its "
+           "corners; dantzig has the pyramid alone",
+           "cone pyramid"})};
+
 inline constexpr std::tuple kCamera{
     field(&CameraDescription::eye_W, {"eye", vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m,
                                       "{0, 0.55, 1.5}", "where the camera is"}),

@@ -49,6 +49,16 @@ inline constexpr std::tuple kTap{
     field(&TransientSettings::pulse_s,
           {"length", number, "seconds", 0.001, 0.1, "nil", "of a fixed_pulse"})};
 
+inline constexpr std::tuple kSaturation{
+    field(&CouplingSettings::saturation_force_N,
+          {"force", number, "newtons", 0.2, 10, "nil",
+           "the most that its spring gives, however deep it is pressed"}),
+    field(&CouplingSettings::linear_range_m,
+          {"linear_range", number, "metres", 0, 0.9, "nil",
+           "so deep it is an even spring, then it yields more and more; by default up to half the "
+           "force"})};
+
+inline constexpr auto kSaturationRows = parameters_of(kSaturation);
 inline constexpr auto kTextureRows = parameters_of(kTexture);
 inline constexpr auto kTapRows = parameters_of(kTap);
 
@@ -63,6 +73,9 @@ inline constexpr std::tuple kMaterial{
            "can't hold is felt softer or refused"}),
     field([](auto& m) -> auto& { return m.coupling.damping_Ns_per_m; },
           {"damping", number, "newton seconds per metre", 0, 50, "nil", "how much it swallows"}),
+    argument({"saturation", record, "", 0, 0, "nil",
+              "a spring that yields, as of dough or a pillow", "", kSaturationRows.data(),
+              kSaturationRows.size()}),
     field([](auto& m) -> auto& { return m.friction.static_coefficient; },
           {"friction", number, "", 0, kMostFriction, "nil",
            "what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, "

@@ -70,9 +70,12 @@ inline constexpr std::tuple kTool{
          "how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with "
          "massless",
          "explicit_euler semi_implicit_euler verlet runge_kutta_4 backward_euler"}),
-    field(&ToolDescription::rounded, {"rounded", flag, "", 0, 0, "false",
-                                      "its facets are felt as one even surface, as far as creases "
-                                      "of 30 degrees; for god_object"}),
+    field([](auto& tool) -> auto& { return tool.shading.on; },
+          {"rounded", flag, "", 0, 0, "false",
+           "its facets are felt as one even surface, as far as its creases; for god_object"}),
+    field([](auto& tool) -> auto& { return tool.shading.crease_angle_deg; },
+          {"crease", number, "degrees", 0, kMostCrease_deg, "30",
+           "of a rounded tool: an edge that bends more than this stays sharp"}),
     field(
         &ToolDescription::contact,
         {"contact", choice, "", 0, 0, "fields",
@@ -91,6 +94,12 @@ inline constexpr std::tuple kTool{
           {"budget", number, "microseconds", 20, 500, "nil",
            "of contact = \"levels\": how long finding contacts may take in each step of a live "
            "run, as "
-           "finely as there is time, and no finer than the detail; half a step by default"})};
+           "finely as there is time, and no finer than the detail; half a step by default"}),
+    field(&ToolDescription::contact_model,
+          {"contact_model", choice, "", 0, 0, "planes",
+           "of implicit_penalty: how what was found pushes until it is found anew: each cluster "
+           "as a plane that never pulls, or by the force and its slopes there, which go on as "
+           "straight as they began",
+           "planes linearised"})};
 
 }  // namespace fulcrum::runtime::fields

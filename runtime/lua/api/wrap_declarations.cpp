@@ -28,6 +28,22 @@ int set_ground(lua_State* /*lua*/, LessonContext& context, const Arguments& argu
     return 0;
 }
 
+int set_contacts(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    RigidSolveDescription contacts;
+    take_fields(fields::kContacts, arguments, contacts);
+    if (contacts.method == ContactMethod::dantzig) {
+        if (arguments["friction"].given && contacts.friction == FrictionShape::cone) {
+            raise_in_lesson(lua,
+                            "dantzig has friction = \"pyramid\" alone; leave friction out, or take "
+                            "another method");
+        }
+        contacts.friction = FrictionShape::pyramid;
+    }
+    contacts.line = place_in_lesson(lua).line;
+    context.description.contacts = contacts;
+    return 0;
+}
+
 int set_space(lua_State* /*lua*/, LessonContext& context, const Arguments& /*arguments*/) {
     context.description.in_space = true;
     return 0;
@@ -99,8 +115,11 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         raise_in_lesson(
             lua, body.name + " is an orbit, a thin line, seen and not felt; leave out solid");
     }
-    if ((body.rounded || arguments["material"].given) && !body.solid) {
-        raise_in_lesson(lua, body.name + (body.rounded ? " is rounded" : " has a material") +
+    if (arguments["crease"].given && !body.shading.on) {
+        raise_in_lesson(lua, body.name + " has a crease but is not rounded; add rounded = true");
+    }
+    if ((body.shading.on || arguments["material"].given) && !body.solid) {
+        raise_in_lesson(lua, body.name + (body.shading.on ? " is rounded" : " has a material") +
                                  " but can't be touched; add solid = true");
     }
     if (std::ranges::count(bodies, body.name, &BodyDescription::name) > 0) {
@@ -181,6 +200,11 @@ void add_scene_rows(ApiTable& table) {
     table.functions.push_back({"world", "ground", CallShape::positional, CallTime::declaring,
                                rows_of(fields::kGround), "", "Sets the height of the ground.",
                                &set_ground});
+    table.functions.push_back({"world", "contacts", CallShape::record, CallTime::declaring,
+                               rows_of(fields::kContacts), "",
+                               "Chooses how contacts between rigid bodies are solved. Of each "
+                               "`explain` says what it costs.",
+                               &set_contacts});
     table.functions.push_back({"world",
                                "space",
                                CallShape::positional,

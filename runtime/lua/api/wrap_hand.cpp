@@ -27,7 +27,41 @@ CursorShape cursor_of(const Arguments& arguments) {
     if (shape == "cylinder") {
         return CylinderShape{size_m, size_m};
     }
+    if (shape == "hull") {
+        return HullShape{};  // of the model that is named; the plan has it
+    }
     return std::monostate{};
+}
+
+// Of a hull its model is said, and of no other cursor.
+void check_cursor(lua_State* lua, const Arguments& arguments) {
+    const bool is_hull = arguments["cursor"].text == "hull";
+    const Argument& model = arguments["cursor_model"];
+    if (is_hull != model.given) {
+        raise_in_lesson(lua, is_hull ? "cursor = \"hull\" is the hull of a model; give "
+                                       "cursor_model, such as \"banana\""
+                                     : "cursor_model is of no use without cursor = \"hull\"; "
+                                       "leave it out");
+    }
+    if (is_hull && arguments["cursor_size"].given) {
+        raise_in_lesson(lua, "a hull has the size of its model; leave out cursor_size");
+    }
+    if (is_hull && is_shape_model(model.text)) {
+        raise_in_lesson(
+            lua, "the model \"" + model.text + "\" has no size of its own; take cursor = \"" +
+                     (is_ball_model(model.text) ? "ball" : "box") + "\" or another model");
+    }
+}
+
+// What would not be looked at is a mistake.
+void check_structure(lua_State* lua, const Arguments& arguments) {
+    const bool is_point = arguments["cursor"].text == "point" && !arguments["tool"].given;
+    const bool is_god = arguments["proxy"].given && arguments["proxy"].text == "god_object";
+    if (arguments["structure"].given && !(is_point && is_god)) {
+        raise_in_lesson(lua,
+                        "structure is of proxy = \"god_object\" with a point; add that, or leave "
+                        "structure out");
+    }
 }
 
 ProxyKind proxy_of(std::string_view name) {
@@ -85,8 +119,10 @@ void check_tool_size(lua_State* lua, const Arguments& arguments) {
         {"integrator", arguments["massless"].flag, "it is massless, and rests where all balances"},
         {"integrator", is_penalty, "implicit_penalty is moved on by backward_euler"},
         {"massless", is_penalty, "implicit_penalty moves a mass"},
+        {"contact_model", !is_penalty, "implicit_penalty alone has a choice of them"},
         {"rounded", arguments["method"].text != "god_object",
-         "of all methods god_object alone feels facets"}};
+         "of all methods god_object alone feels facets"},
+        {"crease", !arguments["rounded"].flag, "it is not rounded"}};
     for (const auto& [given, is_clash, because] : clashes) {
         if (is_clash && arguments[given].given) {
             raise_in_lesson(lua, std::string("the tool's ") + given + " is of no use: " + because +
@@ -145,12 +181,14 @@ int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments)
     check_further_hand(lua, context, arguments);
     HandDescription hand;
     take_fields(fields::kHand, arguments, hand);
+    check_cursor(lua, arguments);
+    check_structure(lua, arguments);
     hand.cursor = cursor_of(arguments);
     if (arguments["proxy"].given) {
         hand.proxy = proxy_of(arguments["proxy"].text);
     }
     if (arguments["tool"].given) {
-        for (const char* other : {"proxy", "cursor", "cursor_size"}) {
+        for (const char* other : {"proxy", "cursor", "cursor_model", "cursor_size"}) {
             if (arguments[other].given) {
                 raise_in_lesson(lua, std::string("the hand has a tool and a ") + other +
                                          "; leave out one of them");

@@ -1,4 +1,5 @@
 // What bodies are made of: the program's own materials, and those that a lesson makes out of them or out of a picture.
+#include "haptics/coupling/virtual_coupling.h"
 #include "haptics/surface/materials.h"
 #include "runtime/effect/surface/material_fields.h"
 #include "runtime/lua/api/binding_table.h"
@@ -7,12 +8,14 @@
 #include "runtime/lua/api/take_fields.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace fulcrum::runtime {
 namespace {
 
 /// How much of the bumps' widest wave the narrowest has.
 constexpr double kNarrowBumps = 0.25;
+constexpr double kLinearShare = 0.5;   // of the most that a spring gives, up to where it is linear
 constexpr double kSlidingShare = 0.8;  // of the friction that holds, while it slides
 
 void take_texture(lua_State* lua, const Arguments& given, MaterialDescription& material) {
@@ -71,6 +74,32 @@ void take_tap(lua_State* lua, const Arguments& given, TransientSettings& transie
     }
 }
 
+// A spring that yields already, as of `like`, is laid out anew upon what the lesson says of its stiffness.
+void take_saturation(lua_State* lua, const Arguments& arguments, CouplingSettings& coupling) {
+    if (arguments["saturation"].given) {
+        const Arguments& given = arguments.record("saturation");
+        if (!given["force"].given) {
+            raise_in_lesson(lua,
+                            "material.saturation has no force; say how many newtons its spring "
+                            "gives at most");
+        }
+        coupling.linear_range_m = kLinearShare * given["force"].number / coupling.stiffness_N_per_m;
+        take_fields(fields::kSaturation, given, coupling);
+    } else if (!coupling.saturates()) {
+        return;
+    }
+    const double linear_N = coupling.stiffness_N_per_m * coupling.linear_range_m;
+    if (!(linear_N < coupling.saturation_force_N)) {
+        std::ostringstream most;
+        most << coupling.saturation_force_N / coupling.stiffness_N_per_m;
+        raise_in_lesson(lua,
+                        "material.saturation: its spring gives the force before the linear "
+                        "range ends; give it more force, or a linear_range below " +
+                            most.str());
+    }
+    coupling = saturate(coupling, coupling.linear_range_m, coupling.saturation_force_N);
+}
+
 std::int32_t add_material(lua_State* lua, LessonContext& context, MaterialDescription material) {
     std::vector<MaterialDescription>& materials = context.description.materials;
     if (materials.size() >= kMaxMaterials) {
@@ -117,6 +146,7 @@ int make_material(lua_State* lua, LessonContext& context, const Arguments& argum
         friction.dynamic_coefficient = kSlidingShare * arguments["friction"].number;
     }
     take_fields(fields::kMaterial, arguments, material.felt);
+    take_saturation(lua, arguments, material.felt.coupling);
     material.line = place_in_lesson(lua).line;
     const auto& others = context.description.materials;
     if (std::ranges::any_of(others, [&](const MaterialDescription& other) {

@@ -65,6 +65,8 @@ void description(Archive& a, Description& d) {
     a.number("the sureness", d.sureness, 0.0, 1.0);
     fields(a, "the scene", fields::kGravity, d);
     fields(a, "the ground", fields::kGround, d);
+    fields(a, "the contacts", fields::kContacts, d.contacts);
+    a.integer("a line", d.contacts.line, 0, kMaxLine);
     a.list("materials", d.materials, kMaxMaterials, [](auto& each, auto& m) { material(each, m); });
     a.list("bodies", d.bodies, static_cast<std::size_t>(kMaxBodies),
            [](auto& each, auto& b) { body(each, b); });

@@ -38,9 +38,8 @@ void texture_source(Archive& a, Source& s) {
 template <class Archive, class Felt>
 void felt(Archive& a, Felt& m) {
     fields(a, "a material", fields::kMaterial, m);
-    a.number("a material's linear range", m.coupling.linear_range_m, 0.0, 1e3);
+    fields(a, "a saturation", fields::kSaturation, m.coupling);
     a.number("a material's saturation", m.coupling.saturation_range_m, 0.0, 1e3);
-    a.number("a material's largest force", m.coupling.saturation_force_N, 0.0, 1e3);
     a.one_of("a texture", m.texture.source,
              [](auto& archive, auto& alternative) { texture_source(archive, alternative); });
     fields(a, "a texture", fields::kTexture, m.texture);
@@ -117,15 +116,12 @@ void boxes(Archive& a, Boxes& all) {
 template <class Archive, class Shape>
 void cursor(Archive& a, Shape& shape) {
     using Kind = std::remove_cvref_t<Shape>;
-    if constexpr (std::is_same_v<Kind, HullShape>) {
-        if constexpr (Archive::kReads) {
-            a.refuse("the cursor", "is a shape that lessons do not have");
-        }
-    } else if constexpr (std::is_same_v<Kind, BoxShape>) {
+    if constexpr (std::is_same_v<Kind, BoxShape>) {
         for (int i = 0; i < 3; ++i) {
             a.number("the cursor's size", shape.half_size_m[i], 1e-6, 10.0);
         }
-    } else if constexpr (!std::is_same_v<Kind, std::monostate>) {
+    } else if constexpr (!std::is_same_v<Kind, std::monostate> &&
+                         !std::is_same_v<Kind, HullShape>) {
         a.number("the cursor's radius", shape.radius_m, 1e-6, 10.0);
     }
     if constexpr (std::is_same_v<Kind, CapsuleShape>) {
@@ -142,6 +138,9 @@ void tool(Archive& a, Tool& t) {
     fields(a, "the tool", fields::kTool, t);
     if constexpr (Archive::kReads) {
         const bool has_shape = !std::holds_alternative<std::monostate>(t.shape);
+        if (std::holds_alternative<HullShape>(t.shape)) {
+            a.refuse("the tool", "is a hull, which tools are not");
+        }
         if (has_shape != (t.model.empty() || is_shape_model(t.model))) {
             a.refuse("the tool", "has not either a shape or a model of its own size");
         }
@@ -159,6 +158,13 @@ void proxy(Archive& a, Hand& h) {
         h.proxy = chosen ? std::optional(kind) : std::nullopt;
     }
     a.one_of("the cursor", h.cursor, [](auto& archive, auto& shape) { cursor(archive, shape); });
+    if constexpr (Archive::kReads) {
+        if (std::holds_alternative<HullShape>(h.cursor) == h.cursor_model.empty() ||
+            is_shape_model(h.cursor_model)) {
+            a.refuse("the cursor",
+                     "has a hull without a model of its own size, or the other way round");
+        }
+    }
     optional(a, "a tool", h.tool, [](auto& each, auto& t) { tool(each, t); });
     a.integer("a line", h.line, 0, kMaxLine);
 }

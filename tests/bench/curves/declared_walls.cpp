@@ -77,6 +77,56 @@ LineChart run_excess(const Run& run) {
     return chart;
 }
 
+// Where two springs balance, the second of which saturates.
+double find_balance_N(const CouplingSettings& wall, double hand_N_per_m, double press_m) {
+    double low_m = 0.0;
+    double high_m = press_m;
+    for (int i = 0; i < 60; ++i) {
+        const double middle_m = 0.5 * (low_m + high_m);
+        const bool gives_way =
+            compute_spring_force_N(wall, middle_m) < hand_N_per_m * (press_m - middle_m);
+        (gives_way ? low_m : high_m) = middle_m;
+    }
+    return compute_spring_force_N(wall, low_m);
+}
+
+LineChart run_saturation(const Run& run) {
+    constexpr double kStiffness_N_per_m = 500.0;
+    constexpr double kPress_m = 0.016;
+    LineChart chart = make_chart("saturation", "What is felt of a wall that saturates",
+                                 "Let a spring saturate where something is to yield, dough or a "
+                                 "pillow; below what a hand presses with it is felt as force "
+                                 "alone, and no hand finds out how stiff it is.");
+    chart.work =
+        "A hand comes from 10 mm above and presses 16 mm into a wall of 500 N/m and 5 Ns/m that "
+        "saturates, even up to half of its force, on a simulated desktop arm without its dry "
+        "friction, at 1 kHz, through plan, loop and gate as they ship.";
+    chart.reference = "dashed: where the springs of hand and wall balance";
+    chart.x = {"most force of the wall", "N"};
+    chart.y = {"force at rest", "N"};
+    const auto forces_N = run.pick<std::vector<double>>(
+        {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0}, {0.5, 2.0, 5.0});
+    for (const auto& [name, human] : {std::pair{"fingertip", kFingertip}, std::pair{"arm", kArm}}) {
+        test::DeclaredWall wall{.stiffness_N_per_m = kStiffness_N_per_m,
+                                .damping_Ns_per_m = kDamping_Ns_per_m,
+                                .human = human,
+                                .press_m = kPress_m};
+        chart.trace(name, LineStyle::measured, forces_N, [&](double force_N) {
+            wall.saturation_N = force_N;
+            return test::press_declared_wall(wall).wall.last.force_N;
+        });
+        chart.trace(std::string("two springs, ") + name, LineStyle::theory, forces_N,
+                    [&](double force_N) {
+                        const CouplingSettings yielding =
+                            saturate({.stiffness_N_per_m = kStiffness_N_per_m},
+                                     0.5 * force_N / kStiffness_N_per_m, force_N);
+                        return std::min(find_balance_N(yielding, human.stiffness_N_per_m, kPress_m),
+                                        make_desktop_arm().max_force_N);
+                    });
+    }
+    return chart;
+}
+
 Report run_declared_walls(Run& run) {
     Report report;
     run.progress(0.0, "stiffness");
@@ -85,11 +135,14 @@ Report run_declared_walls(Run& run) {
     report.emplace_back(run_swing(run));
     run.progress(0.67, "energy");
     report.emplace_back(run_excess(run));
+    run.progress(0.9, "saturation");
+    report.emplace_back(run_saturation(run));
     return report;
 }
 
 const Registration kDeclaredWalls{
-    {"declared-walls", "walls that a lesson declares, as they ship: felt stiffness, rest, energy",
+    {"declared-walls",
+     "walls that a lesson declares, as they ship: felt stiffness, rest, energy, saturation",
      run_declared_walls}};
 
 }  // namespace

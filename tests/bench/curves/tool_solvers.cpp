@@ -43,15 +43,6 @@ struct Setting {
     double contact_times = 1.0;  // as stiff as a plan makes contacts
 };
 
-// Of the lecture's four: are constraints soft, so that the tool may go in, or hard; has the tool a mass? A body of the world that a hand grips is
-// the fourth, hard and massive (dynamics/hand_rows.h).
-std::string find_quadrant(const Solver& solver) {
-    if (solver.method == ToolMethod::god_object) {
-        return "hard, massless";
-    }
-    return solver.mass == ToolMass::massless ? "soft, massless" : "soft, massive";
-}
-
 // A god-object's contacts have no stiffness.
 bool has_soft_contacts(const Solver& solver) {
     return solver.method != ToolMethod::god_object;
@@ -295,8 +286,8 @@ Report run_tool_solvers(Run& run) {
         const Pressed flat = press(*block, 0.0, {}, kPressed_m);
         const Pressed edge = press(*block, kOnEdge_rad, {}, kPressed_m);
         const Drawn drawn = draw(solver, run.pick(10.0, 2.0));
-        sheet.add({solver.name, find_quadrant(solver), rounded(100.0 * flat.error, 2),
-                   rounded(100.0 * edge.error, 2),
+        sheet.add({solver.name, find_quadrant(solver.method, solver.mass),
+                   rounded(100.0 * flat.error, 2), rounded(100.0 * edge.error, 2),
                    rounded(1.0e3 * std::max(flat.depth_m, edge.depth_m), 2),
                    rounded(100.0 * drawn.drag, 2), rounded(1.0e3 * find_felt_mass_kg(solver), 1),
                    drawn.cost.median_us, drawn.cost.p99_us,

@@ -38,6 +38,8 @@ void for_each_list(Visit&& visit) {
     visit("wind", fields::kWind, WindDescription{});
     visit("texture", fields::kTexture, TextureSettings{});
     visit("tap", fields::kTap, TransientSettings{});
+    visit("saturation", fields::kSaturation, CouplingSettings{});
+    visit("contacts", fields::kContacts, RigidSolveDescription{});
     visit("material", fields::kMaterial, Material{});
     visit("tool", fields::kTool, ToolDescription{});
     visit("hand", fields::kHand, HandDescription{});

@@ -91,7 +91,7 @@ TEST_CASE(
         lesson.bodies.push_back(lesson.bodies[0]);
         lesson.bodies[1].name = lesson.bodies[1].noun = "other";
         lesson.bodies[1].position_W = Vector3(1.0, 0.0, 0.0);
-        lesson.bodies[1].rounded = is_rounded;
+        lesson.bodies[1].shading.on = is_rounded;
         return SentForce(lesson, ball);
     };
     SentForce alone = make(false);

@@ -3,6 +3,7 @@
 
 #include "haptics/device/simulated/human_impedance.h"
 #include "haptics/device/simulated/simulated_arm.h"
+#include "haptics/loop/haptic_plan.h"
 #include "haptics/surface/materials.h"
 #include "tests/support/linear_wall.h"
 
@@ -46,7 +47,7 @@ TEST_CASE("stable wall: a spring's margin is that of the sampled loop's eigenval
     constexpr double kWithin = 0.04;  // the hold taken for a delay of half a period
     // The eigenvalues of many periods of delay take long.
     constexpr double kMostPeriods = 10.0;
-    for (const double rate_hz : {1000.0, 5000.0}) {
+    for (const double rate_hz : {kLeastRate_Hz, 1000.0, kMostRate_Hz}) {
         for (const double periods : {2.0, kMostPeriods}) {
             const double link_s = periods / rate_hz;
             WallHolder holder;
@@ -63,7 +64,7 @@ TEST_CASE("stable wall: a spring's margin is that of the sampled loop's eigenval
 
 TEST_CASE("stable wall: what is stable stays, what is not is lowered to what is and then stays") {
     for (const double link_s : {0.0, 0.011}) {
-        for (const double rate_hz : {1000.0, 5000.0}) {
+        for (const double rate_hz : {kLeastRate_Hz, 1000.0, kMostRate_Hz}) {
             WallHolder holder;
             holder.link_s = link_s;
             const WallLoop loop{.rate_hz = rate_hz};

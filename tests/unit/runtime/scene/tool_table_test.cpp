@@ -132,7 +132,7 @@ TEST_CASE("plan: a god-object's tool feels textures, made once, and even normals
     lesson.materials.push_back(rubber);
     lesson.bodies[0].material = 0;
     lesson.bodies[1].material = 0;
-    lesson.bodies[1].rounded = true;
+    lesson.bodies[1].shading.on = true;
     const auto plan = plan_of(lesson);
     CHECK(validate(plan.haptic));
     const auto& objects = std::get<std::vector<GodObjectPlan>>(plan.haptic.tool->objects);
@@ -152,7 +152,7 @@ TEST_CASE("plan: a god-object's tool feels textures, made once, and even normals
     check_says(explain(lesson, plan), {"rounded: "});
     const auto told = nlohmann::json::parse(explain_json(lesson, plan, nullptr)).at("tool");
     CHECK(told["bodies"][1]["rounded"] == true);
-    lesson.hand.tool->rounded = true;
+    lesson.hand.tool->shading.on = true;
     const auto round = plan_of(lesson);
     CHECK(std::get<std::vector<GodObjectPlan>>(round.haptic.tool->objects)[2].tool_shading);
 }

@@ -74,12 +74,16 @@ std::string arguments_text(const Binding& binding, std::string_view tried, const
 std::string beside(const std::string& label) {
     static const std::map<std::string, std::string> kBeside = {
         {"body.hinge", "solid = true, "},
+        {"body.crease", "solid = true, rounded = true, "},
         {"body.density", "rigid = true, model = 'box', "},
         {"body.size", "rigid = true, model = 'box', "},
         {"body.joint", "rigid = true, model = 'box', mass = 1, "},
         {"hand.cursor_size", "cursor = 'capsule', "},
+        {"hand.tool.crease", "method = 'god_object', rounded = true, "},
         {"hand.tool.detail", "method = 'implicit_penalty', contact = 'levels', "},
         {"hand.tool.budget", "method = 'implicit_penalty', contact = 'levels', "},
+        {"material.saturation", "stiffness = 10, "},
+        {"material.saturation.linear_range", "force = 10, "},
         {"material.sliding_friction", "friction = 5, "},
         {"material.texture.size", "image = 'a.png', "},
         {"material.texture.height", "grooves = 0.01, "},
