@@ -13,6 +13,13 @@ namespace {
 // Contacts are known ahead of time; nearer than this is touching.
 constexpr double kTouching_m = 5.0e-4;
 
+bool is_touching(const ContactPair& pair) noexcept {
+    return pair.meet_s == 0.0 &&
+           std::ranges::any_of(pair.manifold.points(), [](const ContactPoint& point) {
+               return point.gap_m <= kTouching_m;
+           });
+}
+
 // What is left of a couple along its own way: never the other way. What is no number stays so.
 Vector3 keep_way(const Vector3& told, const Vector3& left) noexcept {
     const double squared = told.squaredNorm();
@@ -37,6 +44,10 @@ void RigidLoop::step(double now_s) noexcept {
         ++snapshot_.effort.n_steps;
         snapshot_.effort.n_unconverged += world_->report().n_unconverged > 0 ? 1 : 0;
         find_touching();
+        if (carrier_ >= 0) {
+            find_carried();
+            notice_catches(now_s, due_s_);
+        }
         notice_landings(now_s, due_s_);
         frame_.rate = due_s_ / passed_s_;
         due_s_ = passed_s_ = 0.0;
@@ -59,6 +70,10 @@ void RigidLoop::take_commands() noexcept {
 
 // What it does not know of is passed over.
 void RigidLoop::apply(const WorldCommand& command) noexcept {
+    if (command.kind == WorldCommand::Kind::release) {
+        hide_carried();
+        return;
+    }
     if (command.body < 0 || command.body >= kMaxBodies || !is_finite(command.position_W) ||
         !is_finite(command.velocity_W)) {
         return;
@@ -74,10 +89,27 @@ void RigidLoop::apply(const WorldCommand& command) noexcept {
     told.is_present = !is_hide;
     world_->set_present(body, told.is_present);
     if (!is_hide) {
-        world_->place(body, Pose::at(command.position_W),
-                      {is_drop ? command.velocity_W : Vector3::Zero(), Vector3::Zero()});
-        ++told.n_placements;
-        told.in_air_s = 0.0;
+        put(body, Pose::at(command.position_W),
+            {is_drop ? command.velocity_W : Vector3::Zero(), Vector3::Zero()});
+    }
+}
+
+void RigidLoop::put(std::int32_t body, const Pose& shape_W, const Twist& velocity_W) noexcept {
+    world_->place(body, shape_W, velocity_W);
+    Told& told = told_[static_cast<std::size_t>(body)];
+    ++told.n_placements;
+    told.in_air_s = 0.0;
+    told.is_carried = told.is_caught = false;
+    told.changing_s = 0.0;
+}
+
+void RigidLoop::hide_carried() noexcept {
+    for (std::size_t i = 0; i < told_.size(); ++i) {
+        Told& told = told_[i];
+        if (told.is_carried && told.scene_body >= 0) {
+            told.is_present = told.is_carried = told.is_caught = false;
+            world_->set_present(static_cast<std::int32_t>(i), false);
+        }
     }
 }
 
@@ -102,6 +134,12 @@ void RigidLoop::take_pushes(double now_s) noexcept {
 void RigidLoop::take_push(const RigidPush& push) noexcept {
     const std::int32_t body = body_of_solid(push.solid);
     if (body < 0 || push.n_placements != told_[static_cast<std::size_t>(body)].n_placements) {
+        return;
+    }
+    if (push.puts) {
+        if (is_finite(push.pose_W)) {
+            put(body, push.pose_W, {});
+        }
         return;
     }
     BodyHold hold = push.hold;
@@ -142,17 +180,60 @@ Wrench RigidLoop::find_push_W(const RigidPush& push, const Vector3& at_W) const 
 
 void RigidLoop::find_touching() noexcept {
     for (Told& told : told_) {
-        told.touches = false;
+        told.touches = told.is_stopped = told.meets_caught = false;
     }
     const ContactPairs& pairs = world_->contacts();
     for (int i = 0; i < pairs.count(); ++i) {
         const ContactPair& pair = pairs.at(i);
-        if (pair.meet_s == 0.0 &&
-            std::ranges::any_of(pair.manifold.points(), [](const ContactPoint& point) {
-                return point.gap_m <= kTouching_m;
-            })) {
-            told_[static_cast<std::size_t>(pair.bodies.first)].touches = true;
-            told_[static_cast<std::size_t>(pair.bodies.second)].touches = true;
+        if (is_touching(pair)) {
+            Told& a = told_[static_cast<std::size_t>(pair.bodies.first)];
+            Told& b = told_[static_cast<std::size_t>(pair.bodies.second)];
+            a.touches = b.touches = true;
+            a.is_stopped |= b.stays;
+            b.is_stopped |= a.stays;
+            a.meets_caught |= b.is_caught || pair.bodies.second == carrier_;
+            b.meets_caught |= a.is_caught || pair.bodies.first == carrier_;
+        }
+    }
+}
+
+// From the carrier on, a touch farther each time. A round in which nothing is new is the last: a pile has no more than it is high.
+void RigidLoop::find_carried() noexcept {
+    for (std::size_t i = 0; i < told_.size(); ++i) {
+        told_[i].is_carried = static_cast<std::int32_t>(i) == carrier_;
+    }
+    const ContactPairs& pairs = world_->contacts();
+    for (bool is_new = true; is_new;) {
+        is_new = false;
+        for (int i = 0; i < pairs.count(); ++i) {
+            const ContactPair& pair = pairs.at(i);
+            Told& a = told_[static_cast<std::size_t>(pair.bodies.first)];
+            Told& b = told_[static_cast<std::size_t>(pair.bodies.second)];
+            Told& next = a.is_carried ? b : a;
+            if (a.is_carried != b.is_carried && !next.stays && !next.is_stopped &&
+                is_touching(pair)) {
+                next.is_carried = is_new = true;
+            }
+        }
+    }
+}
+
+void RigidLoop::notice_catches(double now_s, double dt_s) noexcept {
+    for (Told& told : told_) {
+        if (told.scene_body < 0 || told.is_carried == told.is_caught) {
+            told.changing_s = 0.0;
+            continue;
+        }
+        if (told.changing_s == 0.0) {
+            told.caught_m_per_s = std::max(told.speed_m_per_s, told.earlier_speed_m_per_s);
+        }
+        told.changing_s += dt_s;
+        if (told.changing_s >= kCaught_s) {
+            told.is_caught = told.is_carried;
+            if (told.is_caught && lesson_ != nullptr) {
+                (void)lesson_->events.push(
+                    {WorldEvent::Kind::caught, told.scene_body, now_s, told.caught_m_per_s});
+            }
         }
     }
 }
@@ -161,7 +242,8 @@ void RigidLoop::notice_landings(double now_s, double dt_s) noexcept {
     for (std::size_t i = 0; i < told_.size(); ++i) {
         Told& told = told_[i];
         const bool is_carried = told.touches || told.is_held || !told.is_present;
-        if (told.touches && told.in_air_s >= kLeastFlight_s && told.scene_body >= 0 &&
+        const bool is_stopped = told.touches && (told.is_stopped || !told.meets_caught);
+        if (is_stopped && told.in_air_s >= kLeastFlight_s && told.scene_body >= 0 &&
             lesson_ != nullptr) {
             (void)lesson_->events.push({WorldEvent::Kind::landed, told.scene_body, now_s,
                                         std::max(told.speed_m_per_s, told.earlier_speed_m_per_s)});
@@ -211,11 +293,11 @@ void RigidLoop::tell_lesson(double now_s) noexcept {
         BodyState& state = snapshot_.bodies[static_cast<std::size_t>(told.scene_body)];
         state.pose_W = world_->shape_pose_W(body);
         state.velocity_W = velocity_W(body).linear;
-        state.where = !told.is_present          ? BodyWhere::hidden
-                      : told.is_held            ? BodyWhere::held
-                      : world_->is_asleep(body) ? BodyWhere::landed
-                      : told.touches            ? BodyWhere::placed
-                                                : BodyWhere::falling;
+        state.where = !told.is_present                 ? BodyWhere::hidden
+                      : told.is_held || told.is_caught ? BodyWhere::held
+                      : world_->is_asleep(body)        ? BodyWhere::landed
+                      : told.touches                   ? BodyWhere::placed
+                                                       : BodyWhere::falling;
     }
     lesson_->snapshot.publish(snapshot_);
 }

@@ -9,6 +9,8 @@
 // its last one: it gives no more than its spring held, and nothing after kStalePush_s. A push turns with no more than the couple that it
 // told, and never the other way.
 // A body has landed when it touches something after it touched nothing for a while.
+// Where a hand holds a carrier, a bucket, those are carried that lie on it or on what is carried, and touch nothing that stays; one that has been
+// carried for kCaught_s is caught, and is not again before it was not carried for as long.
 //
 // Thread: `step` on one thread beside the haptic ones (or a virtual clock). Cost: that of RigidWorld::step, and one copy of the snapshot and
 // of each hand's frame. No allocation after construction.
@@ -36,6 +38,8 @@ inline constexpr double kStalePush_s = 0.1;
 /// A body that touches after it touched nothing for so long has landed.
 inline constexpr double kLeastFlight_s = 0.08;
 
+inline constexpr double kCaught_s = 0.1;
+
 class RigidLoop final : public PeriodicTask {
   public:
     /// Refuses what `validate` does. Of `lesson` commands are taken, place, drop and hide, the snapshot and events are told: null where nobody
@@ -58,10 +62,18 @@ class RigidLoop final : public PeriodicTask {
         std::int32_t scene_body = kNoBody;
         std::uint32_t n_placements = 0;
         bool is_present = true;
-        bool is_held = false;        // gripped by a hand
-        bool touches = false;        // anything, in this step
-        double in_air_s = 0.0;       // for how long it has touched nothing
-        double speed_m_per_s = 0.0;  // before this step
+        bool is_held = false;  // gripped by a hand
+        bool touches = false;  // anything, in this step
+        bool stays = false;
+        bool is_stopped = false;    // it touches what stays
+        bool meets_caught = false;  // it touches the carrier, or what is caught in it
+        bool is_carried = false;    // by the carrier
+        bool is_caught = false;     // and was for a while
+        double changing_s =
+            0.0;  // for how long it has been carried and not caught, or the other way round
+        double caught_m_per_s = 0.0;  // its speed when it came into the carrier
+        double in_air_s = 0.0;        // for how long it has touched nothing
+        double speed_m_per_s = 0.0;   // before this step
         double earlier_speed_m_per_s =
             0.0;  // before the last one, which may have ended at the touch
     };
@@ -74,7 +86,11 @@ class RigidLoop final : public PeriodicTask {
     [[nodiscard]] std::int32_t body_of_solid(std::int32_t solid) const noexcept;
     [[nodiscard]] Wrench find_push_W(const RigidPush& push, const Vector3& at_W) const noexcept;
     void find_touching() noexcept;
+    void find_carried() noexcept;
+    void notice_catches(double now_s, double dt_s) noexcept;
     void notice_landings(double now_s, double dt_s) noexcept;
+    void put(std::int32_t body, const Pose& shape_W, const Twist& velocity_W) noexcept;
+    void hide_carried() noexcept;
     void tell_hands(double now_s) noexcept;
     void tell_lesson(double now_s) noexcept;
     [[nodiscard]] Twist velocity_W(std::int32_t body) const noexcept;
@@ -84,6 +100,7 @@ class RigidLoop final : public PeriodicTask {
     std::vector<Told> told_;                   // one a body of the world
     std::vector<std::int32_t> body_of_scene_;  // kMaxBodies
     std::vector<std::int32_t> solids_;
+    std::int32_t carrier_;
     WorldChannels* lesson_;
     std::vector<RigidChannels*> hands_;
     RigidFrame frame_{};

@@ -33,7 +33,8 @@ Expected<void> validate(const RigidLoopPlan& plan) {
         return checked;
     }
     const auto is_known = [&](std::int32_t body) { return is_of_world(body, plan); };
-    if (!are_scene_bodies(plan) || !std::ranges::all_of(plan.solids, is_known) ||
+    if (!are_scene_bodies(plan) || !is_known(plan.carrier) ||
+        !std::ranges::all_of(plan.solids, is_known) ||
         !std::ranges::all_of(plan.hidden,
                              [&](std::int32_t body) { return body >= 0 && is_known(body); })) {
         return fail("the loop of rigid bodies names bodies that there are not, or twice", {},
@@ -60,11 +61,13 @@ RigidLoop::RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> worl
       told_(plan.world.bodies.size()),
       body_of_scene_(kMaxBodies, kNoBody),
       solids_(plan.solids),
+      carrier_(plan.carrier),
       lesson_(lesson),
       hands_(hands.begin(), hands.end()) {
     for (std::size_t i = 0; i < told_.size(); ++i) {
         const std::int32_t scene_body = plan.scene_bodies[i];
         told_[i].scene_body = scene_body;
+        told_[i].stays = plan.world.bodies[i].role != BodyRole::moves;
         if (scene_body >= 0) {
             body_of_scene_[static_cast<std::size_t>(scene_body)] = static_cast<std::int32_t>(i);
             snapshot_.n_bodies = std::max(snapshot_.n_bodies, scene_body + 1);

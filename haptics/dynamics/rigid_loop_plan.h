@@ -3,6 +3,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/dynamics/rigid_world_plan.h"
+#include "haptics/handover/messages.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,8 @@ struct RigidLoopPlan {
     std::vector<std::int32_t> scene_bodies;
     /// The world's body that each solid of the hands' plans is, kNoBody of others; at most kMaxSolids.
     std::vector<std::int32_t> solids;
+    /// The world's body that a hand holds all the time, and in which others are caught; kNoBody: none.
+    std::int32_t carrier = kNoBody;
     std::vector<std::int32_t> hidden;  ///< bodies of the world that are not there at the start
 };
 

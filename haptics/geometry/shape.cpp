@@ -261,6 +261,23 @@ Expected<TriangleMesh> make_torus(double ring_radius_m, double tube_radius_m, in
     return TriangleMesh::build(std::move(vertices), std::move(triangles), kNoWeld);
 }
 
+Expected<TriangleMesh> make_cup(double rim_m, double foot_m, double depth_m, double wall_m,
+                                int n_round) {
+    if (!is_size(rim_m) || !is_size(foot_m) || !is_size(depth_m) || !is_size(wall_m) ||
+        !is_count(n_round, 3, kMaxRows)) {
+        return refuse("cup");
+    }
+    const double corner = 1.0 / std::cos(std::numbers::pi / n_round);
+    // From the floor's middle up the inside, over the rim and down the outside.
+    std::vector<Vector3> vertices{Vector3(0.0, -depth_m, 0.0)};
+    add_ring(vertices, corner * foot_m, -depth_m, n_round);
+    add_ring(vertices, corner * rim_m, 0.0, n_round);
+    add_ring(vertices, corner * (rim_m + wall_m), 0.0, n_round);
+    add_ring(vertices, corner * (foot_m + wall_m), -depth_m - wall_m, n_round);
+    vertices.emplace_back(0.0, -depth_m - wall_m, 0.0);
+    return build_rings(std::move(vertices), n_round);
+}
+
 Expected<TriangleMesh> make_inverted(const TriangleMesh& mesh) {
     std::vector<TriangleCorners> triangles = mesh.triangles();
     for (TriangleCorners& corners : triangles) {

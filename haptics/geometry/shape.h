@@ -55,6 +55,11 @@ struct PlacedBox {
 [[nodiscard]] Expected<TriangleMesh> make_torus(double ring_radius_m, double tube_radius_m,
                                                 int n_ring, int n_tube);
 
+/// A cup about the y axis, open upwards: within it depth_m deep below its rim at y = 0, rim_m wide there and foot_m at the bottom; walls and floor
+/// are wall_m thick. 3 to 4096 sides, which touch these radii from outside; 8 triangles a side.
+[[nodiscard]] Expected<TriangleMesh> make_cup(double rim_m, double foot_m, double depth_m,
+                                              double wall_m, int n_round);
+
 /// The same surface with every triangle turned over.
 [[nodiscard]] Expected<TriangleMesh> make_inverted(const TriangleMesh& mesh);
 

@@ -66,6 +66,7 @@ struct RigidPush {
     Twist velocity_W{};
     std::uint32_t n_placements = 0;
     BodyHold hold{};
+    bool puts = false;  ///< the solid is to be at pose_W at once, and nothing else
 };
 
 /// Haptic loop -> world, newest value.

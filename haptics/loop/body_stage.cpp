@@ -95,9 +95,10 @@ void BodyStage::take_frame(double now_s) noexcept {
         if (is_put) {
             body.shift_W.setZero();
             body.turn_W.setZero();
-            put_ |= 1U << body.plan.solid;
+            put_ |= i == held_ ? 0U : 1U << body.plan.solid;
+            puts_ = puts_ && i != held_;
             if (grip_.solid >= 0 && grip_.body == i) {
-                let_go();
+                grip_ = {};
             }
         }
     }
@@ -117,7 +118,9 @@ std::span<const Pose> BodyStage::place(std::span<const Pose> poses_W, double now
             pose_W.position = body.told.is_present ? pose_W.position : kGone_W;
         }
     }
-    if (grip_.solid >= 0) {
+    if (held_ != kNothingHeld) {
+        put_ |= (1U << poses_W.size()) - 1U;
+    } else if (grip_.solid >= 0) {
         put_ |= 1U << grip_.solid;
     }
     return {poses_W_.data(), poses_W.size()};
@@ -145,7 +148,28 @@ void BodyStage::begin_grip(const ProxyContact& contact, const GrippingHand& hand
     }
 }
 
+// Of what is held all the time.
+void BodyStage::hold_on(const GrippingHand& hand) noexcept {
+    const Body& body = bodies_[held_];
+    hand_W_ = hand.pose_W;
+    grip_.force = {};
+    if (!body.is_known || !body.told.is_present || puts_) {
+        grip_ = {};
+        return;
+    }
+    grip_.solid = static_cast<std::int32_t>(body.plan.solid);
+    grip_.body = held_;
+    feel_grip(hand);
+    if (!hand.feels) {
+        grip_.force = {};
+    }
+}
+
 GripForce BodyStage::grip(const ProxyContact& contact, const GrippingHand& hand) noexcept {
+    if (held_ != kNothingHeld) {
+        hold_on(hand);
+        return grip_.force;
+    }
     const bool was_gripped = grip_.solid >= 0;
     if (!was_gripped) {
         begin_grip(contact, hand);
@@ -158,6 +182,11 @@ GripForce BodyStage::grip(const ProxyContact& contact, const GrippingHand& hand)
         // In its first round it is still the touch that is felt.
         return grip_.force;
     }
+    feel_grip(hand);
+    return grip_.force;
+}
+
+void BodyStage::feel_grip(const GrippingHand& hand) noexcept {
     const Body& body = bodies_[grip_.body];
     const Pose& pose_W = poses_W_[body.plan.solid];
     const Vector3 at_W = pose_W * grip_.place_B;
@@ -181,7 +210,6 @@ GripForce BodyStage::grip(const ProxyContact& contact, const GrippingHand& hand)
                   slopes,
                   {}};
     grip_.holds = true;
-    return grip_.force;
 }
 
 void BodyStage::begin_pushes(double now_s) noexcept {
@@ -195,6 +223,7 @@ BodyHold& BodyStage::add_hold(const Body& body) noexcept {
     told.pose_W = poses_W_[body.plan.solid];
     told.velocity_W = {rate_ * body.told.velocity_W.linear, rate_ * body.told.velocity_W.angular};
     told.n_placements = body.told.n_placements;
+    told.puts = false;
     return told.hold;
 }
 
@@ -251,8 +280,14 @@ void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double n
         add_push(body, {.force_N = share * touch_N + spare_N},
                  compute_solid_push(contact, solid, hand.force_W, cursor_m_));
     }
-    if (grip_.solid >= 0 && grip_.holds) {
-        tell_grip(share * grip_N + spare_N);
+    if (held_ != kNothingHeld && puts_) {
+        const Body& body = bodies_[held_];
+        (void)add_hold(body);
+        RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count - 1)];
+        told.pose_W = hand_W_;
+        told.puts = true;
+    } else if (grip_.solid >= 0 && grip_.holds) {
+        tell_grip(held_ == kNothingHeld ? share * grip_N + spare_N : most_held_N_);
     }
     grip_.holds = false;
     publish();

@@ -16,6 +16,9 @@
 // the force: a hand that may feel nothing turns nothing. A push that is cut off has the slopes of its secant. A grip ends with its button,
 // when its body is put elsewhere or taken out, and when the hand's motion begins anew; a closed gate holds nothing.
 //
+// What is held all the time, a bucket, is gripped by its origin and turned as the hand is, with as much force as the hand may ever feel, also
+// while the gate is shut: then the hand feels nothing of it. Where the hand's motion begins it is put there at once, with all that lies in it left behind.
+//
 // Thread: haptic loop. Cost: 60 ns a body, and the copy of the pushes. No allocation in a step.
 // Source: a prediction by the newest velocity as in dead reckoning (IEEE 1278.1, distributed simulation); k_r gives turning the period of
 // moving.
@@ -38,6 +41,7 @@ struct GrippingHand {
     Pose pose_W{};
     Twist twist_W{};
     std::uint32_t buttons = 0;
+    bool feels = true;  ///< the gate lets something through
 };
 
 /// What a grip gives it.
@@ -60,15 +64,25 @@ class BodyStage {
 
     /// Then, when the contact is known: what a grip gives the hand.
     [[nodiscard]] GripForce grip(const ProxyContact& contact, const GrippingHand& hand) noexcept;
-    /// Ends it.
-    void let_go() noexcept { grip_ = {}; }
+    /// Ends it; what is held all the time is put to the hand again.
+    void let_go() noexcept {
+        grip_ = {};
+        puts_ = true;
+    }
     /// Last: tells the world how the hand pushes, with a point, or with a tool: one push a solid of the plan.
     void push(const ProxyContact& contact, const HandPush& hand, double now_s) noexcept;
     void push_by_tool(std::span<const SolidPush> pushes, const MostFelt& most,
                       double now_s) noexcept;
 
     /// Of the solid that is gripped; kNoBody where none is.
-    [[nodiscard]] std::int32_t gripped() const noexcept { return grip_.solid; }
+    [[nodiscard]] std::int32_t gripped() const noexcept {
+        return held_ == kNothingHeld ? grip_.solid : kNoBody;
+    }
+    /// Where that is which is held all the time; none where there is no such, or it is not in the hand yet.
+    [[nodiscard]] const Pose* held_pose_W() const noexcept {
+        return held_ != kNothingHeld && grip_.solid >= 0 ? &poses_W_[bodies_[held_].plan.solid]
+                                                         : nullptr;
+    }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
@@ -97,6 +111,8 @@ class BodyStage {
     [[nodiscard]] bool is_usable(const RigidFrame& frame) const noexcept;
     void take_frame(double now_s) noexcept;
     void tell_grip(double most_N) noexcept;
+    void hold_on(const GrippingHand& hand) noexcept;
+    void feel_grip(const GrippingHand& hand) noexcept;
     void begin_grip(const ProxyContact& contact, const GrippingHand& hand) noexcept;
     void begin_pushes(double now_s) noexcept;
     BodyHold& add_hold(const Body& body) noexcept;
@@ -113,6 +129,11 @@ class BodyStage {
     std::vector<Body> bodies_;
     std::array<Pose, kMaxSolids> poses_W_{};
     std::uint32_t put_ = 0;
+    static constexpr std::size_t kNothingHeld = SIZE_MAX;
+    std::size_t held_ = kNothingHeld;  // all the time
+    double most_held_N_ = 0.0;
+    bool puts_ = true;  // it is to be where the hand is
+    Pose hand_W_{};
     Grip grip_{};
     HandPushes pushes_{};
 };

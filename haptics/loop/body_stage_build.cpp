@@ -13,11 +13,15 @@ namespace {
 // How late a damper knows its velocity (coupling/velocity_estimator.h, adaptive_window).
 constexpr double kVelocityLate_s = 0.008;
 
-PushSlopes find_slopes(const HapticPlan& plan, const SolidPlan& solid) {
+CouplingSettings find_coupling(const HapticPlan& plan, const RigidSolidPlan& body) {
+    return plan.tool      ? plan.tool->settings.coupling.shift
+           : body.is_held ? plan.coupling
+                          : plan.solids[body.solid].coupling.value_or(plan.coupling);
+}
+
+PushSlopes find_slopes(const HapticPlan& plan, const RigidSolidPlan& body) {
     PushSlopes slopes;
-    const CouplingSettings& coupling = plan.tool        ? plan.tool->settings.coupling.shift
-                                       : solid.coupling ? *solid.coupling
-                                                        : plan.coupling;
+    const CouplingSettings coupling = find_coupling(plan, body);
     slopes.stiffness_N_per_m = coupling.stiffness_N_per_m;
     slopes.damping_Ns_per_m = coupling.damping_Ns_per_m;
     slopes.late_mass_kg = kVelocityLate_s * coupling.damping_Ns_per_m;
@@ -37,7 +41,10 @@ Expected<void> validate_rigid(const HapticPlan& plan) {
         taken.insert(axle.solid);
     }
     for (const RigidSolidPlan& body : plan.rigid) {
-        if (body.solid >= plan.solids.size() || !taken.insert(body.solid).second) {
+        const std::size_t n_slots = plan.solids.size() + (body.is_held ? 1 : 0);
+        if (body.solid >= n_slots || n_slots > static_cast<std::size_t>(kMaxSolids) ||
+            (body.is_held && (body.solid + 1 != n_slots || plan.tool)) ||
+            !taken.insert(body.solid).second) {
             return fail("a rigid body is solid " + std::to_string(body.solid) +
                             ", which the plan has not, or moves otherwise",
                         {}, "name each solid that there is once");
@@ -59,8 +66,14 @@ BodyStage::BodyStage(const HapticPlan& plan, RigidChannels* channels)
     for (const RigidSolidPlan& planned : plan.rigid) {
         Body body;
         body.plan = planned;
-        body.slopes = find_slopes(plan, plan.solids[planned.solid]);
-        body.friction = plan.tool ? 0.0 : plan.solids[planned.solid].friction.static_coefficient;
+        body.slopes = find_slopes(plan, planned);
+        body.friction = plan.tool || planned.is_held
+                            ? 0.0
+                            : plan.solids[planned.solid].friction.static_coefficient;
+        if (planned.is_held) {
+            held_ = bodies_.size();
+            most_held_N_ = plan.safety.max_force_N;
+        }
         bodies_.push_back(body);
     }
 }

@@ -91,14 +91,18 @@ void HapticLoop::push_bodies() noexcept {
     const HandPush touch{demand_.wrench_W.force, gate_.find_most_N(dt_s_)};
     // A gate that lets nothing through holds nothing: what a grip asks for would keep it closed.
     const bool may_grip = gate_.phase() == GatePhase::open || gate_.phase() == GatePhase::rising;
-    const GripForce grip = bodies_->grip(
-        touch_->contact,
-        {state_.tool_pose_W, state_.tool_twist_W, may_grip ? state_.buttons : std::uint32_t{0}});
+    const GripForce grip =
+        bodies_->grip(touch_->contact, {state_.tool_pose_W, state_.tool_twist_W,
+                                        may_grip ? state_.buttons : std::uint32_t{0}, may_grip});
     demand_.wrench_W.force += grip.force_W;
     demand_.force += {grip.spring_W, grip.spring_W};
     teller_->share(Effect::grip, grip.force_W);
     if (bodies_->gripped() >= 0) {
         state_.touched_body = solids_->body_of(bodies_->gripped());
+    }
+    if (const Pose* const held_W = bodies_->held_pose_W()) {
+        state_.proxy_position_W = held_W->position;
+        state_.proxy_orientation_W = held_W->orientation;
     }
     bodies_->push(touch_->contact, touch, now_s_);
 }

@@ -5,7 +5,9 @@
 #include "haptics/collision/segment_structure_kind.h"
 #include "haptics/collision/solid_shape.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -20,6 +22,12 @@ enum class ProxyKind : std::uint8_t {
     virtual_proxy,  ///< a sphere (Ruspini, Kolarov, Khatib 1997), or any convex cursor
     friction_cone,  ///< either of them, or any convex cursor, with friction (Melder and Harwin 2002; Barrow and Harwin)
 };
+
+/// "god-object", "virtual proxy", "friction cone": for people.
+[[nodiscard]] constexpr std::string_view name_of(ProxyKind kind) noexcept {
+    constexpr std::string_view kNames[] = {"god-object", "virtual proxy", "friction cone"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
 
 /// The cursor's own shape, centred on the tool's position, turned as the hand is.
 using CursorShape =

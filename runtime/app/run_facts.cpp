@@ -165,14 +165,12 @@ void add_tool(const ToolDescription& tool, const ToolPlan& plan, Facts& facts) {
 
 // What was decided before anything ran: each stage with who asked for it, and what bodies weigh in the hand.
 void add_plan(const FactSources& run, Facts& facts) {
-    constexpr std::array<std::string_view, 3> kProxies{"god-object", "virtual proxy",
-                                                       "friction cone"};
     const Plan& plan = run.plan;
     const HapticPlan& haptic = plan.haptic;
     if (haptic.tool) {
         add_tool(*run.lesson.hand.tool, *haptic.tool, facts);
     } else if (!haptic.solids.empty()) {
-        facts.add("plan.proxy", std::string(kProxies[static_cast<std::size_t>(haptic.proxy.kind)]));
+        facts.add("plan.proxy", std::string(name_of(haptic.proxy.kind)));
     }
     facts.add("plan.velocity", std::string(name_of(haptic.velocity_method)));
     facts.add("plan.coupling N/m", haptic.coupling.stiffness_N_per_m);

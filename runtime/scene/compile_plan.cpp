@@ -123,11 +123,6 @@ const BodyDescription* first_movable(const LessonDescription& lesson) {
     return found == lesson.bodies.end() ? nullptr : &*found;
 }
 
-std::string_view proxy_name(ProxyKind kind) {
-    constexpr std::string_view kNames[] = {"god-object", "virtual proxy", "friction cone"};
-    return kNames[static_cast<std::size_t>(kind)];
-}
-
 std::string text_of_structure(const ProxySettings& proxy) {
     return proxy.structure == SegmentStructureKind::bounding_tree
                ? ""
@@ -160,6 +155,10 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         add("world", "rigid bodies", plan.rigid->rate_hz,
             "bodies lie, fall and are pushed; solved by " + std::string(to_string(method)),
             lesson.contacts.line > 0 ? lesson.contacts.line : first_rigid_line(lesson));
+        if (plan.rigid->carrier >= 0) {
+            add("world", "bucket", plan.rigid->rate_hz, "the hand holds it; hard, massive",
+                lesson.bucket.line);
+        }
     }
     add("lesson", "lua", plan.haptic.lesson_rate_hz, "every lesson is a Lua file", 0);
     if (plan.dialogue) {
@@ -252,7 +251,7 @@ void list_haptic_stages(const LessonDescription& lesson, const HapticPlan& hapti
     } else if (!haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(haptic.solids.front().body);
         add(HapticStage::proxy,
-            "a body can be touched, by a " + std::string(proxy_name(haptic.proxy.kind)) +
+            "a body can be touched, by a " + std::string(name_of(haptic.proxy.kind)) +
                 text_of_structure(haptic.proxy) + "; hard, massless",
             lesson.hand.proxy ? lesson.hand.line : lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);

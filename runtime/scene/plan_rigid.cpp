@@ -2,6 +2,7 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/dynamics/shape_inertia.h"
+#include "haptics/geometry/shape.h"
 #include "runtime/scene/body_shape.h"
 #include "runtime/scene/shape_models.h"
 
@@ -21,6 +22,11 @@ constexpr double kUsualFriction = 0.5;   // of what has no material: wood on woo
 constexpr double kSlowPeriod_s = 0.01;   // of what no hand touches
 constexpr std::size_t kManyBodies = 24;  // from here on a second thread pays
 constexpr std::uint32_t kGripButtons = 1U;
+// Of a bucket: as the model of that name is inside; outside its walls are as thick as a field of its distances can tell.
+constexpr double kBucket_kg = 0.05;
+constexpr double kBucketFoot = 0.75;  // of the opening's radius
+constexpr double kBucketWall = 0.1;
+constexpr int kBucketSides = 24;
 
 BodyShape find_kind(const BodyDescription& body) {
     const BodyShape asked = body.collides_as;
@@ -176,6 +182,40 @@ Expected<void> add_touch(const BodyDescription& body, const RigidBodyPlan& simul
     return {};
 }
 
+/// A lesson's bucket among rigid bodies is one of them, which the hand holds by the middle of its rim.
+Expected<void> add_bucket(const LessonDescription& lesson, RigidLoopPlan& rigid, Plan& plan) {
+    const BucketDescription& bucket = lesson.bucket;
+    if (plan.haptic.solids.size() == static_cast<std::size_t>(kMaxSolids)) {
+        return fail("the bucket would be one rigid body too many", at_line(bucket.line),
+                    "use at most " + std::to_string(kMaxSolids - 1) + " solid bodies beside it");
+    }
+    const double rim_m = bucket.opening_radius_m;
+    const auto shape =
+        make_cup(rim_m, kBucketFoot * rim_m, bucket.depth_m, kBucketWall * rim_m, kBucketSides)
+            .and_then([](const TriangleMesh& cup) { return CollisionMesh::create(cup); });
+    auto sampled = shape.and_then([](const MeshShape& cup) { return SampledShape::make(cup); });
+    const auto inertia = sampled.and_then(
+        [&](const auto& /*made*/) { return compute_shape_inertia_of_mass(*shape, kBucket_kg); });
+    if (!inertia) {
+        return fail("the bucket: " + inertia.error().message, at_line(bucket.line),
+                    inertia.error().what_to_do);
+    }
+    rigid.carrier = static_cast<std::int32_t>(rigid.world.bodies.size());
+    rigid.world.bodies.push_back({.shape = *shape,
+                                  .sampled = std::move(*sampled),
+                                  .mass_kg = kBucket_kg,
+                                  .pose_W = Pose::at(lesson.hand.centre_W),
+                                  .static_friction = kUsualFriction,
+                                  .dynamic_friction = kUsualFriction});
+    rigid.scene_bodies.push_back(kNoBody);
+    rigid.solids.push_back(rigid.carrier);
+    plan.haptic.rigid.push_back({.solid = plan.haptic.solids.size(),
+                                 .mass_kg = kBucket_kg,
+                                 .moment_kg_m2 = inertia->inertia.moments_kg_m2.maxCoeff(),
+                                 .is_held = true});
+    return {};
+}
+
 }  // namespace
 
 Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoader& load_solid,
@@ -217,6 +257,11 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoad
         }
         plan.felt_weight_N[static_cast<std::size_t>(solid.body)] = body.mass_kg * gravity;
         if (auto good = add_touch(body, *simulated, i, most_N, plan, gravity); !good) {
+            return good;
+        }
+    }
+    if (lesson.bucket.present) {
+        if (auto good = add_bucket(lesson, rigid, plan); !good) {
             return good;
         }
     }

@@ -18,6 +18,6 @@ inline constexpr std::tuple kBucket{
           {"depth", number, "metres", kLeastRadius_m, kMostRadius_m, "0.14", ""}),
     field(&BucketDescription::holds,
           {"holds", integer, "", 1, 8, "1",
-           "bodies at once; felt weights are scaled so that so many fit the arm"})};
+           "movable bodies at once; felt weights are scaled so that so many fit the arm"})};
 
 }  // namespace fulcrum::runtime::fields

@@ -229,7 +229,11 @@ void add_scene_rows(ApiTable& table) {
                                rows_of(fields::kBody), "Body", "Declares a thing.", &add_body});
     table.functions.push_back(
         {"world", "bucket", CallShape::record, CallTime::declaring, rows_of(fields::kBucket), "",
-         "Puts a bucket on the tool; movable bodies that fall into it are caught.", &set_bucket});
+         "Puts a bucket on the tool; movable bodies that fall into it are caught. Among rigid "
+         "bodies it "
+         "is one itself, which the hand holds: they fall in, lie in it, weigh, slide and fall out "
+         "again; a light one of 50 grams, which holds what has room.",
+         &set_bucket});
 }
 
 }  // namespace

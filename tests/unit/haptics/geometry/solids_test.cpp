@@ -78,6 +78,28 @@ TEST_CASE("shape: closed, consistent, with volume and number of triangles as doc
     }
 }
 
+TEST_CASE("shape: a cup is closed, its fronts look out, and it holds what its cones do") {
+    constexpr int kSides = 24;
+    const auto cup = make_cup(0.1, 0.07, 0.14, 0.01, kSides);
+    REQUIRE(cup);
+    CHECK(cup->triangles().size() == 8 * kSides);
+    const MeshReport report = compute_mesh_report(*cup);
+    CHECK(report.is_closed());
+    CHECK(report.inconsistent_edges == 0);
+    CHECK_FALSE(report.inside_out);
+    // Of cones whose sides touch circles from outside.
+    const auto frustum_m3 = [](double height_m, double a_m, double b_m) {
+        return kSides * std::tan(std::numbers::pi / kSides) * height_m / 3.0 *
+               (a_m * a_m + a_m * b_m + b_m * b_m);
+    };
+    CHECK(report.volume_m3 ==
+          Approx(frustum_m3(0.15, 0.11, 0.08) - frustum_m3(0.14, 0.1, 0.07)).epsilon(1e-12));
+    CHECK(cup->upper_B().y() == 0.0);
+    CHECK(cup->lower_B().y() == Approx(-0.15));
+    CHECK_FALSE(make_cup(0.1, 0.07, 0.0, 0.01, kSides));
+    CHECK_FALSE(make_cup(0.1, 0.07, 0.14, 0.01, 2));
+}
+
 TEST_CASE("shape: boxes lie where they are put, each closed, and are as many as they are") {
     const std::array<PlacedBox, 3> boxes{{{Vector3(0.0, 0.1, 0.0), Vector3(1.0, 0.2, 0.1)},
                                           {Vector3(0.5, 0.1, 0.0), Vector3(0.1, 0.2, 1.0)},

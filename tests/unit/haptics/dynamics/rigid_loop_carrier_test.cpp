@@ -1,0 +1,86 @@
+// What a hand holds all the time among rigid bodies, and what lies in it.
+#include "haptics/geometry/shape.h"
+#include "tests/unit/haptics/dynamics/rigid_loop_fixture.h"
+
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+// A bucket that hangs still 0.5 m above the ground, and two balls: the scene's 3 and 5.
+RigidLoopPlan make_bucket() {
+    RigidLoopPlan plan = make_two_cubes();
+    const auto cup = make_cup(0.1, 0.08, 0.12, 0.01, 16).and_then([](const TriangleMesh& mesh) {
+        return CollisionMesh::create(mesh);
+    });
+    for (int i : {1, 2}) {
+        plan.world.bodies[static_cast<std::size_t>(i)].shape = SphereShape{0.03};
+        plan.world.bodies[static_cast<std::size_t>(i)].pose_W.position = {i - 3.0, 0.03, 0.0};
+    }
+    plan.carrier = 3;
+    plan.world.bodies.push_back(
+        {.shape = *cup, .mass_kg = 0.1, .pose_W = Pose::at({0.0, 0.5, 0.0})});
+    plan.world.joints = {
+        {.kind = JointKind::fixed, .body_b = 3, .anchor_W = Vector3(0.0, 0.5, 0.0)}};
+    plan.scene_bodies.push_back(kNoBody);
+    plan.solids.push_back(3);
+    return plan;
+}
+
+TEST_CASE(
+    "rigid loop: what falls into the carrier is caught once, with its speed, and lies there") {
+    CubesLoop balls(make_bucket());
+    balls.run(0.1);
+    // From 0.3 m above where its centre stops, 0.35 m above the rim.
+    balls.order(WorldCommand::Kind::drop, 3, {0.0, 0.71, 0.0});
+    balls.run(1.5);
+    auto told = balls.events();
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].kind == WorldEvent::Kind::caught);
+    CHECK(told[0].body == 3);
+    CHECK(told[0].speed_m_per_s == Approx(std::sqrt(2.0 * 9.81 * 0.3)).epsilon(0.02));
+    CHECK(balls.seen(3).where == BodyWhere::held);
+    CHECK(balls.seen(3).pose_W.position.y() == Approx(0.41).margin(1.0e-3));
+    CHECK(balls.seen(5).where == BodyWhere::landed);
+    // One upon the other is caught as well, and has not landed though it meets a ball first.
+    balls.order(WorldCommand::Kind::drop, 5, {0.02, 0.71, 0.0});
+    balls.run(1.5);
+    told = balls.events();
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].kind == WorldEvent::Kind::caught);
+    CHECK(told[0].body == 5);
+    // All are let go; what is put back outside has landed there.
+    balls.order(WorldCommand::Kind::release, kNoBody, Vector3::Zero());
+    balls.run(0.1);
+    CHECK(balls.seen(3).where == BodyWhere::hidden);
+    CHECK(balls.seen(5).where == BodyWhere::hidden);
+    balls.order(WorldCommand::Kind::drop, 3, {0.5, 0.3, 0.0});
+    balls.run(1.0);
+    told = balls.events();
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].kind == WorldEvent::Kind::landed);
+    CHECK(balls.seen(3).where == BodyWhere::landed);
+}
+
+TEST_CASE(
+    "rigid loop: a hand puts what it holds where it is, once, and by no number that is none") {
+    CubesLoop cubes;
+    cubes.run(0.1);
+    RigidPush put = make_push({2.0, 0.5, 1.0}, Vector3::Zero(), Vector3::Zero());
+    put.puts = true;
+    cubes.push({put});
+    cubes.run(0.003);
+    CHECK(cubes.felt(2).n_placements == 1);
+    CHECK((cubes.felt(2).pose_W.position - Vector3(2.0, 0.5, 1.0)).norm() < 1.0e-3);
+    put.n_placements = 1;
+    put.pose_W.position.x() = std::nan("");
+    cubes.push({put});
+    cubes.run(0.003);
+    CHECK(cubes.felt(2).n_placements == 1);
+    RigidLoopPlan plan = make_two_cubes();
+    plan.carrier = 3;
+    CHECK_FALSE(validate(plan));
+}
+
+}  // namespace
+}  // namespace fulcrum
