@@ -88,7 +88,9 @@ struct Field {
     }
 };
 
+/// Lessons turn things in degrees: radians of one, and how many a radian has.
 inline constexpr double kPerDegree = std::numbers::pi / 180.0;
+inline constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 template <class Place>
 [[nodiscard]] constexpr Field<Place> field(Place place, Parameter row, double kept_per_unit = 1.0) {
@@ -121,25 +123,32 @@ constexpr void for_each_kept(const std::tuple<Fields...>& list, Visit&& visit) {
     std::apply([&](const auto&... fields) { (look(fields), ...); }, list);
 }
 
+/// Calls visit(name) for each of a choice's names.
+template <class Visit>
+constexpr void for_each_choice(std::string_view choices, Visit&& visit) {
+    while (!choices.empty()) {
+        const std::size_t end = std::min(choices.find(' '), choices.size());
+        if (end > 0) {
+            visit(choices.substr(0, end));
+        }
+        choices.remove_prefix(std::min(end + 1, choices.size()));
+    }
+}
 /// How many names a choice has.
 [[nodiscard]] constexpr std::size_t count_choices(std::string_view choices) {
-    std::size_t n = choices.empty() ? 0 : 1;
-    for (const char c : choices) {
-        n += c == ' ' ? 1 : 0;
-    }
+    std::size_t n = 0;
+    for_each_choice(choices, [&](std::string_view /*name*/) { ++n; });
     return n;
 }
-/// The place of a name among the choices; that of the last where it is none.
+/// The place of a name among the choices; how many there are where it is none.
 [[nodiscard]] constexpr std::size_t find_choice(std::string_view choices, std::string_view name) {
+    std::size_t found = count_choices(choices);
     std::size_t at = 0;
-    for (; !choices.empty(); ++at) {
-        const std::size_t end = choices.find(' ');
-        if (choices.substr(0, end) == name || end == std::string_view::npos) {
-            return at;
-        }
-        choices.remove_prefix(end + 1);
-    }
-    return at;
+    for_each_choice(choices, [&](std::string_view each) {
+        found = each == name ? std::min(found, at) : found;
+        ++at;
+    });
+    return found;
 }
 
 }  // namespace fulcrum::runtime

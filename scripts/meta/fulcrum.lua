@@ -301,9 +301,9 @@ function World:body(options) end
 ---@field model? string model to draw, see Models; default bucket
 ---@field radius? number of the opening; in metres, 0.001 to 10; default 0.11
 ---@field depth? number in metres, 0.001 to 10; default 0.14
----@field holds? integer bodies at once; felt weights are scaled so that so many fit the arm; 1 to 8; default 1
+---@field holds? integer movable bodies at once; felt weights are scaled so that so many fit the arm; 1 to 8; default 1
 
----Puts a bucket on the tool; movable bodies that fall into it are caught.
+---Puts a bucket on the tool; movable bodies that fall into it are caught. Among rigid bodies it is one itself, which the hand holds: they fall in, lie in it, weigh, slide and fall out again; a light one of 50 grams, which holds what has room.
 ---@param options BucketOptions
 function World:bucket(options) end
 

@@ -137,16 +137,8 @@ std::string range_text(const Parameter& parameter) {
 }
 
 std::vector<std::string> choices_of(const Parameter& parameter) {
-    // No stream: a sanitizer that looks at one opens a pipe, for which a lesson's process is ended.
     std::vector<std::string> names;
-    std::string_view left = parameter.choices;
-    while (!left.empty()) {
-        const std::size_t end = std::min(left.find(' '), left.size());
-        if (end > 0) {
-            names.emplace_back(left.substr(0, end));
-        }
-        left.remove_prefix(std::min(end + 1, left.size()));
-    }
+    for_each_choice(parameter.choices, [&](std::string_view name) { names.emplace_back(name); });
     return names;
 }
 

@@ -9,7 +9,6 @@
 #include "runtime/scene/lesson_messages.h"
 
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -76,9 +75,6 @@ inline int push_text(lua_State* lua, const std::string& text) {
 }
 /// Adds a command to the reply; raises when there are too many.
 void add_command(lua_State* lua, LessonCommand command);
-
-/// Of a radian: lessons turn things in degrees.
-inline constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Pushes the one object that stands for a thing; the same each time, so that == and table keys work.
 void push_handle(lua_State* lua, Handle::Kind kind, std::int32_t index);
