@@ -35,7 +35,7 @@ JointEnd find_joint_end(std::int32_t i, double dt_s, const RigidScene& scene,
     if (i < 0) {
         return end;
     }
-    const RigidWorldBody& body = scene.bodies[to_place_at(i)];
+    const RigidWorldBody& body = scene.body(i);
     end.now_W = end.ahead_W = body.state.pose_W;
     if (body.moves && body.in_problem != kGround) {
         end.in_problem = body.in_problem;
@@ -72,8 +72,8 @@ double find_left_rate(double error, double dt_s) noexcept {
 // What does not move is shared by islands, and asks for nothing.
 void add_pull(std::int32_t i, const Vector3& anchor_P, const Vector3& pull_N,
               RigidScene& scene) noexcept {
-    if (i >= 0 && scene.bodies[to_place_at(i)].moves) {
-        RigidWorldBody& body = scene.bodies[to_place_at(i)];
+    if (i >= 0 && scene.body(i).moves) {
+        RigidWorldBody& body = scene.body(i);
         const Vector3 arm = body.state.pose_W.orientation * anchor_P;
         const Matrix3 across = arm * pull_N.transpose();
         body.pull_stiffness_W +=

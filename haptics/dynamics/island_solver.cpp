@@ -120,7 +120,7 @@ IslandSolver::IslandSolver(const RigidWorldSettings& settings, const ContactCapa
 
 void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene.bodies[index_of(i)];
+        RigidWorldBody& body = scene.body(i);
         const Twist& velocity = body.state.velocity_W;
         const double mass_kg = body.inertia.mass_kg;
         const Vector3 load_N = mass_kg * settings_.gravity_W + body.load_W.force;
@@ -133,8 +133,8 @@ void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene&
 // The pair's normal goes from its second body to its first: the problem's a is the second, b the first.
 void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
                             const RigidScene& scene) noexcept {
-    const RigidWorldBody& first = scene.bodies[index_of(pair.bodies.first)];
-    const RigidWorldBody& second = scene.bodies[index_of(pair.bodies.second)];
+    const RigidWorldBody& first = scene.body(pair.bodies.first);
+    const RigidWorldBody& second = scene.body(pair.bodies.second);
     ContactConstraint contact{
         .body_a = second.moves ? second.in_problem : kGround,
         .body_b = first.moves ? first.in_problem : kGround,
@@ -183,27 +183,23 @@ void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
     }
 }
 
-void IslandSolver::add_hands(const RigidWorldBody& body, double dt_s,
-                             const RigidScene& scene) noexcept {
-    for (std::int32_t i = body.held; i >= 0 && body.in_problem != kGround;
-         i = scene.held[index_of(i)].next) {
-        const HandRows rows =
-            make_hand_rows(scene.held[index_of(i)].hold, body.inertia, body.state, dt_s);
-        const auto first = static_cast<int>(problem_.rows().size());
-        for (int row = 0; row < rows.count; ++row) {
-            RowConstraint held = rows.rows[index_of(row)];
-            held.body_b = body.in_problem;
-            if (problem_.add_row(held)) {
-                row_pushes_.add(0.0);
-            }
+void IslandSolver::add_hand(const BodyHold& hold, const RigidWorldBody& body,
+                            double dt_s) noexcept {
+    const HandRows rows = make_hand_rows(hold, body.inertia, body.state, dt_s);
+    const auto first = static_cast<int>(problem_.rows().size());
+    for (int row = 0; row < rows.count; ++row) {
+        RowConstraint held = rows.rows[index_of(row)];
+        held.body_b = body.in_problem;
+        if (problem_.add_row(held)) {
+            row_pushes_.add(0.0);
         }
-        // Where one was refused the others have bounds of their own.
-        const bool is_whole = static_cast<int>(problem_.rows().size()) == first + rows.count;
-        for (HandBall ball : rows.balls) {
-            ball.first += first;
-            if (is_whole && ball.count > 1) {
-                hand_balls_.add(ball);
-            }
+    }
+    // Where one was refused the others have bounds of their own.
+    const bool is_whole = static_cast<int>(problem_.rows().size()) == first + rows.count;
+    for (HandBall ball : rows.balls) {
+        ball.first += first;
+        if (is_whole && ball.count > 1) {
+            hand_balls_.add(ball);
         }
     }
 }
@@ -231,7 +227,7 @@ bool IslandSolver::shorten_hands() noexcept {
 void IslandSolver::take_velocities(const IslandParts& parts, RigidScene& scene) noexcept {
     const auto solved = problem_.bodies();
     for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene.bodies[index_of(i)];
+        RigidWorldBody& body = scene.body(i);
         if (body.in_problem != kGround) {
             const Vector6& velocity = solved[index_of(body.in_problem)].velocity_W;
             body.drift_W = {velocity.head<3>(), velocity.tail<3>()};
@@ -255,15 +251,13 @@ void IslandSolver::remember(const IslandParts& parts, double dt_s, RigidScene& s
         }
     }
     for (const std::int32_t i : parts.bodies) {
-        scene.bodies[index_of(i)].pull_stiffness_W.setZero();
+        scene.body(i).pull_stiffness_W.setZero();
     }
     next = 0;
     for (const std::int32_t i : parts.joints) {
-        Joint& joint = scene.joints[index_of(i)];
-        const auto pose_of = [&](std::int32_t k) noexcept {
-            return k < 0 ? Pose{} : scene.bodies[index_of(k)].state.pose_W;
-        };
-        joint.travel = compute_joint_travel(joint, pose_of(joint.body_a), pose_of(joint.body_b));
+        Joint& joint = scene.joint(i);
+        joint.travel =
+            compute_joint_travel(joint, scene.pose_of(joint.body_a), scene.pose_of(joint.body_b));
         remember_joint(next, dt_s, joint, scene);
         next += index_of(joint.n_rows);
     }
@@ -311,7 +305,7 @@ void IslandSolver::solve_again() noexcept {
 
 bool IslandSolver::bounce(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
-        const RigidWorldBody& body = scene.bodies[index_of(i)];
+        const RigidWorldBody& body = scene.body(i);
         if (body.in_problem != kGround) {
             met_[index_of(body.in_problem)] =
                 join(body.state.velocity_W.linear, body.state.velocity_W.angular);
@@ -319,7 +313,7 @@ bool IslandSolver::bounce(const IslandParts& parts, double dt_s, RigidScene& sce
     }
     const bool done = impacts_.solve(problem_, settings_.least_bounce_m_per_s, solver_, met_).done;
     for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene.bodies[index_of(i)];
+        RigidWorldBody& body = scene.body(i);
         if (body.in_problem != kGround) {
             const Vector6& velocity = met_[index_of(body.in_problem)];
             body.state.velocity_W = {velocity.head<3>(), velocity.tail<3>()};
@@ -343,10 +337,13 @@ void IslandSolver::build(const IslandParts& parts, double dt_s, RigidScene& scen
         add_pair(scene.pairs.at(i), dt_s, scene);
     }
     for (const std::int32_t i : parts.joints) {
-        add_joint(scene.joints[index_of(i)], dt_s, scene);
+        add_joint(scene.joint(i), dt_s, scene);
     }
     for (const std::int32_t i : parts.bodies) {
-        add_hands(scene.bodies[index_of(i)], dt_s, scene);
+        const RigidWorldBody& body = scene.body(i);
+        if (body.in_problem != kGround) {
+            scene.loads.visit(body, [&](const BodyHold& hold) { add_hand(hold, body, dt_s); });
+        }
     }
 }
 
@@ -356,7 +353,7 @@ bool IslandSolver::bend_joints(const IslandParts& parts, double dt_s,
     bool bends = false;
     std::size_t first = 0;
     for (const std::int32_t i : parts.joints) {
-        const Joint& joint = scene.joints[index_of(i)];
+        const Joint& joint = scene.joint(i);
         bends = bend_joint(first, joint, dt_s, scene) || bends;
         first += index_of(joint.n_rows);
     }
@@ -367,12 +364,11 @@ IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
                                  RigidScene& scene) noexcept {
     build(parts, dt_s, scene);
     const bool bounced = !bounces_ || bounce(parts, dt_s, scene);
-    problem_.set_settled(std::ranges::all_of(
-        parts.bodies, [&](std::int32_t i) { return scene.bodies[index_of(i)].settled; }));
+    problem_.set_settled(
+        std::ranges::all_of(parts.bodies, [&](std::int32_t i) { return scene.body(i).settled; }));
     // A great heap in motion is answered in bounded time; what is as slow as what sleeps rests, and that exactly.
     problem_.set_bounded(std::ranges::any_of(parts.bodies, [&](std::int32_t i) {
-        return scene.bodies[index_of(i)].state.velocity_W.linear.norm() >
-               settings_.sleep_speed_m_per_s;
+        return scene.body(i).state.velocity_W.linear.norm() > settings_.sleep_speed_m_per_s;
     }));
     report_.solve = solve_problem();
     if (shorten_hands()) {
@@ -384,7 +380,7 @@ IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
     take_velocities(parts, scene);
     remember(parts, dt_s, scene);
     for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene.bodies[index_of(i)];
+        RigidWorldBody& body = scene.body(i);
         body.state.velocity_W = body.drift_W;
         body.settled = report_.solve.n_iterations == 0;
     }

@@ -24,7 +24,7 @@
 #include "haptics/constraint/contact_solver.h"
 #include "haptics/constraint/impact.h"
 #include "haptics/dynamics/hand_rows.h"
-#include "haptics/dynamics/rigid_world_body.h"
+#include "haptics/dynamics/rigid_scene.h"
 #include "haptics/dynamics/rigid_world_plan.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ class IslandSolver {
     void add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
     void add_pair(const ContactPair& pair, double dt_s, const RigidScene& scene) noexcept;
     void add_joint(const Joint& joint, double dt_s, const RigidScene& scene) noexcept;
-    void add_hands(const RigidWorldBody& body, double dt_s, const RigidScene& scene) noexcept;
+    void add_hand(const BodyHold& hold, const RigidWorldBody& body, double dt_s) noexcept;
     void take_velocities(const IslandParts& parts, RigidScene& scene) noexcept;
     void remember(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
     [[nodiscard]] bool bend_joint(std::size_t first, const Joint& joint, double dt_s,

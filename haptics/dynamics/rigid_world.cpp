@@ -264,7 +264,7 @@ void RigidWorld::step(double dt_s) noexcept {
     if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
         return;
     }
-    report_ = {.n_dropped = std::exchange(n_refused_, 0)};
+    report_ = {.n_dropped = scene_.loads.take_refused()};
     solve_all(dt_s);
     hold_back();
     pool_.run(static_cast<int>(due_.count()), [this](int i, int) noexcept {
@@ -284,7 +284,7 @@ void RigidWorld::step(double dt_s) noexcept {
         report_.residual_m_per_s =
             std::max(report_.residual_m_per_s, one.report.solve.residual_m_per_s);
     }
-    scene_.held.clear();
+    scene_.loads.clear();
     ++n_steps_;
 }
 
@@ -315,10 +315,7 @@ void RigidWorld::find_due(double dt_s) noexcept {
 
 double RigidWorld::joint_travel(std::int32_t index) const noexcept {
     const Joint& joint = scene_.joints[to_place_in(index)];
-    const auto pose_of = [&](std::int32_t i) {
-        return i < 0 ? Pose{} : scene_.bodies[to_place_in(i)].state.pose_W;
-    };
-    return compute_joint_travel(joint, pose_of(joint.body_a), pose_of(joint.body_b));
+    return compute_joint_travel(joint, scene_.pose_of(joint.body_a), scene_.pose_of(joint.body_b));
 }
 
 double RigidWorld::compute_energy_J() const noexcept {

@@ -33,7 +33,7 @@
 #include "haptics/collision/broad_phase.h"
 #include "haptics/dynamics/island_solver.h"
 #include "haptics/dynamics/islands.h"
-#include "haptics/dynamics/rigid_world_body.h"
+#include "haptics/dynamics/rigid_scene.h"
 #include "haptics/dynamics/rigid_world_plan.h"
 
 #include <cstdint>
@@ -42,9 +42,6 @@
 #include <vector>
 
 namespace fulcrum {
-
-/// Hands on bodies in one step, each on each.
-inline constexpr int kMostHeld = 64;
 
 /// What the last step did.
 struct RigidWorldReport {
@@ -182,7 +179,6 @@ class RigidWorld {
     WorkerPool pool_;
     std::vector<IslandSolver> solvers_;  // one a worker
     std::uint64_t n_steps_ = 0;
-    int n_refused_ = 0;  // holds, since the last step
     RigidWorldReport report_{};
 };
 

@@ -1,27 +1,15 @@
-// A body of the world of rigid bodies, and what is known of all of them together.
+// A body of the world of rigid bodies (rigid_world.h), what it is apart from what a step makes of it, by the stage that does.
 //
 // Thread: that of the step; during the solving of islands, that of the island's own.
 #pragma once
 
-#include "haptics/base/bounded_list.h"
 #include "haptics/collision/contact_manifold.h"
-#include "haptics/collision/contact_pairs.h"
 #include "haptics/collision/contact_shape.h"
-#include "haptics/dynamics/joint.h"
 #include "haptics/dynamics/rigid_state.h"
-#include "haptics/geometry/step_box.h"
-#include "haptics/handover/rigid_messages.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace fulcrum {
-
-/// One of the hands on a body.
-struct HeldBody {
-    BodyHold hold{};
-    std::int32_t next = -1;  ///< of the same body
-};
 
 struct RigidWorldBody {
     // Fixed by the plan.
@@ -37,7 +25,7 @@ struct RigidWorldBody {
     // What a step changes.
     RigidState state{};
     Wrench load_W{};         ///< of hands and lessons, about the centre of mass; for one step
-    std::int32_t held = -1;  ///< the first of the hands that hold it, in the scene's list
+    std::int32_t held = -1;  ///< the last of the hands that hold it (body_loads.h)
     /// Of its joints' last pull: what turns it back, N m a rad, in the world (island_solver.h).
     Matrix3 pull_stiffness_W{Matrix3::Zero()};
     bool touched = false;  ///< by a hand, since the last step
@@ -62,20 +50,17 @@ struct RigidWorldBody {
         asleep = false;
         still_s = 0.0;
     }
+    /// Something was done to it.
+    void touch() noexcept {
+        touched = true;
+        wake();
+    }
     /// What was pushed or waited for is done, or is no more.
     void forget_loads() noexcept {
         load_W = {};
         held = -1;
         behind_s = 0.0;
     }
-};
-
-/// What an island's solver works on: its own bodies, pairs and joints of it.
-struct RigidScene {
-    std::vector<RigidWorldBody> bodies;
-    ContactPairs pairs;
-    std::vector<Joint> joints;
-    BoundedList<HeldBody> held{0};  ///< by hands, in this step
 };
 
 }  // namespace fulcrum

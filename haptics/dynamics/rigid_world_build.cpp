@@ -108,18 +108,14 @@ int find_most_held(const RigidWorldPlan& plan) {
 }
 
 RigidScene make_scene(const RigidWorldPlan& plan) {
-    RigidScene scene{{},
-                     ContactPairs(plan.settings.most_pairs),
-                     {},
-                     BoundedList<HeldBody>(find_most_held(plan))};
+    RigidScene scene{
+        {}, ContactPairs(plan.settings.most_pairs), {}, BodyLoads(find_most_held(plan))};
     for (const RigidBodyPlan& body : plan.bodies) {
         scene.bodies.push_back(make_body(body));
     }
-    const auto pose_of = [&](std::int32_t i) {
-        return i < 0 ? Pose{} : scene.bodies[static_cast<std::size_t>(i)].state.pose_W;
-    };
     for (const JointPlan& joint : plan.joints) {
-        scene.joints.push_back(make_joint(joint, pose_of(joint.body_a), pose_of(joint.body_b)));
+        scene.joints.push_back(
+            make_joint(joint, scene.pose_of(joint.body_a), scene.pose_of(joint.body_b)));
     }
     return scene;
 }

@@ -13,21 +13,6 @@ std::size_t to_place_of(std::int32_t i) noexcept {
     return static_cast<std::size_t>(i);
 }
 
-bool are_usable(const PushSlopes& slopes) noexcept {
-    const double values[] = {slopes.stiffness_N_per_m, slopes.damping_Ns_per_m,
-                             slopes.turn_stiffness_Nm_per_rad, slopes.turn_damping_Nms_per_rad,
-                             slopes.late_mass_kg};
-    return std::ranges::all_of(values,
-                               [](double value) { return value >= 0.0 && std::isfinite(value); });
-}
-
-bool are_usable(const PushBounds& bounds) noexcept {
-    const double values[] = {bounds.friction_N, bounds.most_N, bounds.most_Nm};
-    return is_finite(bounds.along_W) && std::ranges::all_of(values, [](double value) {
-               return value >= 0.0 && std::isfinite(value);
-           });
-}
-
 }  // namespace
 
 bool RigidWorld::may_load(std::int32_t index) const noexcept {
@@ -36,37 +21,15 @@ bool RigidWorld::may_load(std::int32_t index) const noexcept {
 }
 
 void RigidWorld::push(std::int32_t index, const Wrench& wrench_W) noexcept {
-    if (!may_load(index) || !is_finite(wrench_W)) {
-        return;
+    if (may_load(index)) {
+        BodyLoads::push(wrench_W, scene_.body(index));
     }
-    RigidWorldBody& body = scene_.bodies[to_place_of(index)];
-    body.load_W.force += wrench_W.force;
-    body.load_W.torque += wrench_W.torque;
-    body.touched = true;
-    body.wake();
 }
 
 void RigidWorld::hold(std::int32_t index, const BodyHold& hold) noexcept {
-    if (!may_load(index) || !are_usable(hold.slopes) || !are_usable(hold.bounds)) {
-        return;
+    if (may_load(index)) {
+        scene_.loads.hold(hold, scene_.body(index));
     }
-    RigidWorldBody& body = scene_.bodies[to_place_of(index)];
-    const Vector3 arm = hold.at_W - body.state.pose_W.position;
-    if (!is_finite(Wrench{hold.push_W.force, hold.push_W.torque + arm.cross(hold.push_W.force)}) ||
-        !std::isfinite(arm.squaredNorm())) {
-        return;
-    }
-    HeldBody held{hold, body.held};
-    if (!held.hold.bounds.along_W.isZero(0.0)) {
-        held.hold.bounds.along_W = compute_direction(hold.bounds.along_W);
-    }
-    if (!scene_.held.add(held)) {
-        ++n_refused_;
-        return;
-    }
-    body.held = static_cast<std::int32_t>(scene_.held.count()) - 1;
-    body.touched = true;
-    body.wake();
 }
 
 // What lay on it or hung from it falls.
@@ -97,9 +60,8 @@ void RigidWorld::set_present(std::int32_t index, bool is_present) noexcept {
     body.is_present = is_present;
     body.forget_loads();
     wake_neighbours(index);
-    body.touched = true;  // its box is made anew, and what it comes to touch wakes
+    body.touch();  // its box is made anew, and what it comes to touch wakes
     moves_[to_place_of(index)] = body.moves && is_present ? 1 : 0;
-    body.wake();
 }
 
 void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& velocity_W) noexcept {
@@ -113,8 +75,7 @@ void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& vel
     body.state.pose_W = with_unit_turn(shape_W) * body.X_PB.inverse();
     body.state.velocity_W = body.moves ? velocity_W : Twist{};
     body.forget_loads();
-    body.touched = true;
-    body.wake();
+    body.touch();
 }
 
 }  // namespace fulcrum

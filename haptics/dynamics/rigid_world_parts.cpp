@@ -6,7 +6,6 @@
 // below, at most kMostParts: solved, moved, placed and touched anew each time. Others see it where it began until all islands are
 // solved; then it stands where its parts led, or where it was held back on the straight way there.
 #include "haptics/base/flush_to_zero.h"
-#include "haptics/dynamics/hand_rows.h"
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/rigid_reach.h"
 #include "haptics/dynamics/rigid_world.h"
@@ -248,9 +247,7 @@ int RigidWorld::move_part(const IslandParts& parts, double part_s, double next_s
         RigidWorldBody& body = scene_.bodies[place_at(i)];
         const RigidState before = body.state;
         n_dropped += take_state(find_moved(body, part_s), body);
-        for (std::int32_t k = body.held; k >= 0; k = scene_.held[place_at(k)].next) {
-            carry_hold(before, body.state, scene_.held[place_at(k)].hold);
-        }
+        scene_.loads.carry(before, body);
         place_body(body);
         find_ahead(body, settings_.gravity_W, next_s);
     }

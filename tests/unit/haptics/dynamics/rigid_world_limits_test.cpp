@@ -82,8 +82,7 @@ TEST_CASE("rigid world: without room for all pairs what lies on the ground keeps
 
 // A cube of 1 kg on four points, of which the second is nowhere: half its weight is on the first, a quarter on each of the last two.
 TEST_CASE("rigid world: of a refused contact nothing is remembered, and others keep theirs") {
-    RigidScene scene{
-        {RigidWorldBody{}, RigidWorldBody{}}, ContactPairs(1), {}, BoundedList<HeldBody>(0)};
+    RigidScene scene{{RigidWorldBody{}, RigidWorldBody{}}, ContactPairs(1), {}, BodyLoads(0)};
     RigidWorldBody& cube = scene.bodies[0];
     cube.shape = make_contact_shape(BoxShape{Vector3::Constant(0.05)}).value();
     cube.inertia = make_box_inertia(1.0, Vector3::Constant(0.1));
