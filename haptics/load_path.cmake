@@ -9,7 +9,7 @@ set(haptics_load_path
     world_build.cpp world_loop_build.cpp mesh_report.cpp solid_moments.cpp shape.cpp triangle_mesh.cpp weld.cpp crack.cpp
     mesh_edges.cpp height_field.cpp convex_hull.cpp convex_pieces.cpp piece_shape.cpp level_surface.cpp surface_measures.cpp
     filtered_collapse.cpp contact_levels_build.cpp level_bytes.cpp level_draft.cpp level_pairs_build.cpp
-    self_intersection.cpp axle_settings.cpp mesh_inertia.cpp shape_inertia.cpp joint_settings.cpp rigid_world_build.cpp
+    self_intersection.cpp axle_settings.cpp mesh_inertia.cpp shape_inertia.cpp joint_settings.cpp rigid_world_build.cpp near_bodies_build.cpp
     rigid_loop_build.cpp body_stage_build.cpp axle_stage_build.cpp solid_places_build.cpp tool_stage_build.cpp tool_plan.cpp
     step_limit.cpp make_proxy.cpp make_obstacle.cpp mixed_solid_build.cpp solid_shape.cpp voxelise.cpp voxmap.cpp pointshell.cpp
     surface_samples.cpp sampled_shape_build.cpp voxel_sampling_build.cpp voxel_tool_build.cpp record_header.cpp

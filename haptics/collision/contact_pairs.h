@@ -28,7 +28,7 @@ struct ContactPair {
     ContactManifold manifold{};
     std::array<ContactMemory, kMostContacts> memories{};
     int n_memories = 0;
-    // What was found of the step ahead (rigid_world_ahead.cpp).
+    // What was found of the step ahead (dynamics/contacts_ahead.h).
     double meet_s = 0.0;   ///< the manifold is that of the bodies so much later; 0: as they are
     bool passes = false;   ///< they are near each other, but their ways do not meet
     bool is_first = true;  ///< neither body meets another before

@@ -24,6 +24,7 @@
 #include "haptics/constraint/contact_solver.h"
 #include "haptics/constraint/impact.h"
 #include "haptics/dynamics/hand_rows.h"
+#include "haptics/dynamics/islands.h"
 #include "haptics/dynamics/rigid_scene.h"
 #include "haptics/dynamics/rigid_world_plan.h"
 
@@ -33,13 +34,6 @@
 #include <vector>
 
 namespace fulcrum {
-
-/// By their numbers in the scene, ascending.
-struct IslandParts {
-    std::span<const std::int32_t> bodies;
-    std::span<const std::int32_t> pairs;
-    std::span<const std::int32_t> joints;
-};
 
 /// Of one island's step.
 struct IslandReport {

@@ -14,6 +14,13 @@
 
 namespace fulcrum {
 
+/// Of one island, by their numbers in the scene, ascending.
+struct IslandParts {
+    std::span<const std::int32_t> bodies;
+    std::span<const std::int32_t> pairs;
+    std::span<const std::int32_t> joints;
+};
+
 /// Numbers sorted into groups, ascending within each.
 class Groups {
   public:

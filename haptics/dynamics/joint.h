@@ -13,7 +13,7 @@
 // a step that turns by less than pi is seen as what it is.
 // Equations hold where the bodies are at the step's end, with J as at its start (SHAKE): u = -(e_ahead - e) / h + J v, where e_ahead is
 // the error that velocities v would lead to: first those without the joint, then the answer's, a few times, until the way bends as it was
-// told. So no energy is lost to it. What turns far goes in parts of the step (rigid_world_parts.cpp). Where a body still turns by more than
+// told. So no energy is lost to it. What turns far goes in parts of the step (island_stepper.h). Where a body still turns by more than
 // 0.6 rad, not about its anchor, there is no such way: u = 0, which loses energy and never gains any. What is left of error is moved away
 // in the push that parts overlapping bodies (island_solver.h).
 //

@@ -4,6 +4,7 @@
 // Thread: the world loop; during the solving of islands, that of the island's own. Cost: some ten ns.
 #pragma once
 
+#include "haptics/collision/contact_sweep.h"
 #include "haptics/dynamics/rigid_world_body.h"
 #include "haptics/math/length.h"
 
@@ -41,6 +42,12 @@ inline constexpr double kNearPart = 2.0e-3;
         return Vector3(body.ahead_W.linear + body.ahead_W.angular.cross(arm));
     };
     return normal_W.dot(velocity_of(a) - velocity_of(b));
+}
+
+/// On its way by this velocity, or by such a way in all.
+[[nodiscard]] inline MovingShape make_moving(const RigidWorldBody& body,
+                                             const Twist& velocity_W) noexcept {
+    return {&body.shape, body.place, body.state.pose_W.position, velocity_W, body.lever_m};
 }
 
 /// Of its shape, and its inertia in the world, from its state.

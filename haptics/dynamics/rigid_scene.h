@@ -31,6 +31,13 @@ struct RigidScene {
     [[nodiscard]] const Joint& joint(std::int32_t i) const noexcept {
         return joints[static_cast<std::size_t>(i)];
     }
+    /// One of them is a mesh, and what that takes is known of both (sampled_contacts.h).
+    [[nodiscard]] bool meets_in_patches(const BodyPair& pair) const noexcept {
+        const ContactShape& first = body(pair.first).shape;
+        const ContactShape& second = body(pair.second).shape;
+        constexpr auto kMesh = ContactShape::Kind::mesh;
+        return (first.kind == kMesh || second.kind == kMesh) && first.sampled && second.sampled;
+    }
     /// The world's frame where there is no body.
     [[nodiscard]] Pose pose_of(std::int32_t i) const noexcept {
         return i < 0 ? Pose{} : body(i).state.pose_W;

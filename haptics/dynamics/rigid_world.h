@@ -1,21 +1,13 @@
 // A world of rigid bodies that fall, rest on each other, are joined, and push back.
 //
-//   place     axes, inertia and boxes of all bodies
-//   touch     pairs whose boxes overlap (broad_phase.h), and where they touch (find_contacts.h; with a mesh sampled_contacts.h)
-//   islands   what hangs together by contacts and joints (islands.h): awake or asleep, touched by a hand or not
-//   solve     each island by itself (island_solver.h)
-//   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it
-// Contacts are looked for as far ahead as bodies can come in the step, so what is fast meets what is thin: where and when their ways meet
-// (contact_sweep.h, of meshes sampled_sweep.h), not where they pass. Of what a body meets only the first bounces, and where it is met: its
-// island goes as far as that, to within 2e-3 of the smaller one's size, bounces there, and goes on by what is left of the step. What the step itself gives a way that nobody
-// looked along is looked along before it is gone: an island whose bodies would meet something there goes that far, all of it together,
-// and loses the rest of the step; that is counted. An island that has been slower
-// than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it.
-// Not so what touches nothing and is not joined, or what a motor moves.
-// An island whose joints turn by more than 0.2 rad goes in up to 32 parts of the step, with contacts found anew in each: slow steps hold
-// pins and keep energy as short ones do.
-// Islands that no hand has touched are stepped every `slow_period_s`, by all the time that has passed since; until then they stand
-// that far behind the world.
+//   place     axes, inertia and boxes of all bodies, and which are near each other (near_bodies.h)
+//   touch     where they touch, or will within the step (contacts_ahead.h)
+//   islands   what hangs together by contacts and joints (scene_islands.h), and whose turn it is: awake or asleep, touched by a hand or
+//             not (island_turns.h)
+//   solve     each island by itself, some in parts of the step (island_stepper.h, island_solver.h)
+//   bound     how much of its way each may go (way_bounds.h); what is lost of a step is counted
+//   move      so far
+// Each stage has what it computes to itself; what they all work on is rigid_scene.h.
 //
 // Hands hold bodies by springs and dampers that know the body late. What they will have become at the end of the step makes a body that
 // is held heavier against the hand, and only there (hand_rows.h): a starved world is felt as inertia and never shakes; at rest the
@@ -28,17 +20,20 @@
 // Source: A. Barrow, W. Harwin 2006, A dynamic virtual environment for haptic interaction (chains of contact, hard constraints).
 #pragma once
 
+#include "haptics/base/bounded_list.h"
 #include "haptics/base/error.h"
 #include "haptics/base/worker_pool.h"
-#include "haptics/collision/broad_phase.h"
-#include "haptics/dynamics/island_solver.h"
-#include "haptics/dynamics/islands.h"
+#include "haptics/dynamics/contacts_ahead.h"
+#include "haptics/dynamics/island_stepper.h"
+#include "haptics/dynamics/island_turns.h"
+#include "haptics/dynamics/near_bodies.h"
 #include "haptics/dynamics/rigid_scene.h"
 #include "haptics/dynamics/rigid_world_plan.h"
+#include "haptics/dynamics/scene_islands.h"
+#include "haptics/dynamics/way_bounds.h"
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace fulcrum {
@@ -70,7 +65,7 @@ class RigidWorld {
     void step(double dt_s) noexcept;
     /// Load path: finds the impulses of the first step of `dt_s`, so that a great heap that rests costs that step no more than those after it.
     /// Nothing moves. After the first step, or of no such time, it does nothing.
-    void prepare(double dt_s) noexcept;
+    void prepare(double dt_s);
 
     /// A load of the next step, about the centre of mass: it adds to what was told before, wakes the body and marks its island as
     /// touched. A body that is not there or does not move, and loads that are not finite, are passed over.
@@ -86,22 +81,22 @@ class RigidWorld {
     [[nodiscard]] int n_bodies() const noexcept { return static_cast<int>(scene_.bodies.size()); }
     /// Of the centre of mass and the principal axes.
     [[nodiscard]] const RigidState& state(std::int32_t body) const noexcept {
-        return scene_.bodies[static_cast<std::size_t>(body)].state;
+        return scene_.body(body).state;
     }
     /// Of the shape's frame.
     [[nodiscard]] Pose shape_pose_W(std::int32_t body) const noexcept {
-        const RigidWorldBody& of = scene_.bodies[static_cast<std::size_t>(body)];
+        const RigidWorldBody& of = scene_.body(body);
         return of.state.pose_W * of.X_PB;
     }
     [[nodiscard]] const Inertia& inertia(std::int32_t body) const noexcept {
-        return scene_.bodies[static_cast<std::size_t>(body)].inertia;
+        return scene_.body(body).inertia;
     }
     [[nodiscard]] bool is_asleep(std::int32_t body) const noexcept {
-        return scene_.bodies[static_cast<std::size_t>(body)].asleep;
+        return scene_.body(body).asleep;
     }
     /// How far a body's state is behind the world's time: 0 but between the steps of what no hand touches.
     [[nodiscard]] double behind_s(std::int32_t body) const noexcept {
-        return scene_.bodies[static_cast<std::size_t>(body)].behind_s;
+        return scene_.body(body).behind_s;
     }
     /// Of the last step: pairs of bodies that are near each other, and where they touch.
     [[nodiscard]] const ContactPairs& contacts() const noexcept { return scene_.pairs; }
@@ -112,73 +107,30 @@ class RigidWorld {
     [[nodiscard]] const RigidWorldReport& report() const noexcept { return report_; }
 
   private:
-    struct DueIsland {
-        std::int32_t island = 0;
-        double dt_s = 0.0;
-    };
-    struct SolvedIsland {
-        IslandReport report{};
-        int n_dropped = 0;
-        int n_parts = 1;
-        bool is_cut = false;  // the rest of its step is lost
-    };
     explicit RigidWorld(const RigidWorldPlan& plan);
-    void solve_all(double dt_s) noexcept;
-    void place_bodies(double reach_s) noexcept;
-    void find_touching(double reach_s) noexcept;
-    [[nodiscard]] bool meets_in_patches(const BodyPair& pair) const noexcept;
-    void add_near(BodyPair pair) noexcept;
-    void find_contacts_of(int i, double reach_s) noexcept;
-    void look_ahead(ContactPair& pair, double reach_s) noexcept;
-    void look_ahead_in_patches(int i, double reach_s) noexcept;
-    [[nodiscard]] int count_patches(int i) const noexcept;
-    [[nodiscard]] bool is_apart(int i) const noexcept;
-    void find_first_met() noexcept;
-    void find_first_met(const IslandParts& parts) noexcept;
-    [[nodiscard]] bool bounces_at_all() const noexcept;
-    void find_ways() noexcept;
-    void hold_back() noexcept;
-    void hold_pair(const BodyPair& bodies) noexcept;
-    void hold_far() noexcept;
-    void find_islands() noexcept;
-    void find_due(double dt_s) noexcept;
-    [[nodiscard]] SolvedIsland solve_island(const DueIsland& due, IslandSolver& solver) noexcept;
-    [[nodiscard]] SolvedIsland solve_in_parts(const DueIsland& due, int n_parts,
-                                              IslandSolver& solver) noexcept;
-    [[nodiscard]] IslandParts parts_of(std::int32_t island) const noexcept;
-    [[nodiscard]] int count_parts(const DueIsland& due) const noexcept;
-    [[nodiscard]] double find_bounce_s(const IslandParts& parts, double time_s) const noexcept;
-    void solve_part(const IslandParts& parts, double part_s, IslandSolver& solver,
-                    SolvedIsland& solved) noexcept;
-    [[nodiscard]] int move_part(const IslandParts& parts, double part_s, double next_s) noexcept;
-    void end_parts(const IslandParts& parts, double dt_s) noexcept;
-    [[nodiscard]] int move_island(const DueIsland& due, const SolvedIsland& solved) noexcept;
-    void rest_bodies(const IslandParts& parts, double dt_s) noexcept;
-    [[nodiscard]] bool may_rest(const IslandParts& parts) const noexcept;
-    void wake_neighbours(std::int32_t body) noexcept;
+    void find_contacts(double dt_s) noexcept;
+    void find_islands(double dt_s) noexcept;
+    void solve_islands() noexcept;
+    void bound_ways() noexcept;
+    void move_islands() noexcept;
+    void tell() noexcept;
     [[nodiscard]] bool may_load(std::int32_t body) const noexcept;
-    [[nodiscard]] bool wake_island(std::span<const std::int32_t> bodies) noexcept;
-    [[nodiscard]] bool is_joined(const BodyPair& pair) const noexcept;
+    void wake_neighbours(std::int32_t body) noexcept;
 
     RigidWorldSettings settings_;
     RigidScene scene_;
-    BroadPhase broad_phase_;
-    BoundedList<Box> boxes_;
-    BoundedList<double> reaches_m_;
-    BoundedList<std::uint8_t> moves_;
-    BoundedList<BodyPair> near_;    // but for what joints keep from touching
-    std::vector<BodyPair> joined_;  // ascending
-    Islands islands_;
-    BoundedList<std::int32_t> island_of_pair_;
-    BoundedList<std::int32_t> island_of_joint_;
-    Groups pairs_;
-    Groups joints_;
-    BoundedList<DueIsland> due_;
-    BoundedList<double> parts_;  // of each island's way: how much it goes
-    BoundedList<SolvedIsland> solved_;
+
+    // Stages.
+    NearBodies near_;
+    ContactsAhead ahead_;
+    SceneIslands islands_;
+    IslandTurns turns_;
+    std::vector<IslandStepper> steppers_;  // one a worker
+    WayBounds bounds_;
+
     WorkerPool pool_;
-    std::vector<IslandSolver> solvers_;  // one a worker
-    std::uint64_t n_steps_ = 0;
+    BoundedList<SolvedIsland> solved_;  // of those that are due
+    bool has_stepped_ = false;
     RigidWorldReport report_{};
 };
 

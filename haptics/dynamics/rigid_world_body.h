@@ -38,14 +38,14 @@ struct RigidWorldBody {
     ContactPlace place{};  ///< of the shape
     Matrix3 inertia_W{Matrix3::Identity()};
     Twist drift_W{};     ///< what moves it: its velocity, and what pushes overlap apart
-    Pose ends_W{};       ///< where parts of the step led it (rigid_world_parts.cpp)
+    Pose ends_W{};       ///< where parts of the step led it (island_stepper.h)
     int in_problem = 0;  ///< its number there
-    // What it may meet (rigid_world_ahead.cpp).
+    // What it may meet (rigid_reach.h).
     Twist ahead_W{};       ///< its velocity at the end of the step if nothing is met
     double reach_m = 0.0;  ///< how far contacts were looked for round it
-    double meets_s = 0.0;  ///< when it first meets anything, from now
-    Twist way_W{};         ///< the step's, m and rad; of what is not stepped 0
 
+    /// Nothing moves it in this step unless something wakes it.
+    [[nodiscard]] bool is_still() const noexcept { return (asleep || !moves) && !touched; }
     void wake() noexcept {
         asleep = false;
         still_s = 0.0;

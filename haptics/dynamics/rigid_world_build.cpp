@@ -249,36 +249,39 @@ Expected<std::unique_ptr<RigidWorld>> RigidWorld::create(const RigidWorldPlan& p
 RigidWorld::RigidWorld(const RigidWorldPlan& plan)
     : settings_(plan.settings),
       scene_(make_scene(plan)),
-      broad_phase_(n_bodies(), plan.settings.most_pairs),
-      boxes_(n_bodies()),
-      reaches_m_(n_bodies()),
-      moves_(n_bodies()),
-      near_(plan.settings.most_pairs),
-      islands_(n_bodies()),
-      island_of_pair_(plan.settings.most_pairs),
-      island_of_joint_(static_cast<int>(plan.joints.size())),
-      pairs_(plan.settings.most_pairs, n_bodies()),
-      joints_(static_cast<int>(plan.joints.size()), n_bodies()),
-      due_(n_bodies()),
-      parts_(n_bodies()),
-      solved_(n_bodies()),
-      pool_(plan.settings.n_threads) {
+      near_(plan.settings, scene_),
+      ahead_(plan.settings, scene_),
+      islands_(n_bodies(), plan.settings.most_pairs, static_cast<int>(plan.joints.size())),
+      turns_(plan.settings, n_bodies()),
+      bounds_(n_bodies()),
+      pool_(plan.settings.n_threads),
+      solved_(n_bodies()) {
     // One a thread: an island's answer does not depend on which.
     for (int i = 0; i < pool_.n_workers(); ++i) {
-        solvers_.emplace_back(plan.settings, find_capacity(plan));
+        steppers_.emplace_back(plan.settings, find_capacity(plan), ahead_);
     }
+}
+
+// Impulses are remembered; velocities and times are what they were.
+void RigidWorld::prepare(double dt_s) {
+    if (has_stepped_ || !(dt_s > 0.0) || !std::isfinite(dt_s)) {
+        return;
+    }
+    std::vector<Twist> velocities_W;
     for (const RigidWorldBody& body : scene_.bodies) {
-        boxes_.add({});
-        reaches_m_.add(0.0);
-        moves_.add(body.moves ? 1 : 0);
+        velocities_W.push_back(body.state.velocity_W);
     }
-    for (const Joint& joint : scene_.joints) {
-        const auto [low, high] = std::minmax(joint.body_a, joint.body_b);
-        if (!joint.bodies_touch && low >= 0) {
-            joined_.push_back({low, high});
-        }
+    // What no hand touches is stepped by so much.
+    const double longest_s = std::max(dt_s, settings_.slow_period_s);
+    find_contacts(longest_s);
+    find_islands(longest_s);
+    solve_islands();
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+        RigidWorldBody& body = scene_.bodies[i];
+        body.state.velocity_W = velocities_W[i];
+        body.drift_W = {};
+        body.behind_s = 0.0;
     }
-    std::sort(joined_.begin(), joined_.end());
 }
 
 }  // namespace fulcrum

@@ -8,7 +8,6 @@ BEGIN {
     # With more still; this list only shrinks.
     still["FieldSampler"] = 6
     still["HapticLoop"] = 3
-    still["RigidWorld"] = 5
 }
 {
     file = $1

@@ -39,7 +39,7 @@ catcher     Catcher::
 line        (LineStage::|LineFeel::)
 kite        (KiteFlight::|KiteLine::|KiteAirLoad::|compute_plate_force|step_gusts)
 bodies      BodyStage::
-rigid       (RigidWorld::|IslandSolver::|ContactProblem::|ContactSolver::)
+rigid       (RigidWorld::|NearBodies::|ContactsAhead::|SceneIslands::|IslandTurns::|IslandStepper::|WayBounds::|BodyLoads::|IslandSolver::|ContactProblem::|ContactSolver::)
 '
 # A scene, and the effects that it calls for.
 scenes='

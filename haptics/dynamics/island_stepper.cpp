@@ -1,14 +1,7 @@
-// How an island of rigid_world.h is solved and moved: in one step, or in parts of it where its joints turn far or something bounces.
-//
-// What bounces off what it does not touch yet goes there first: a part ends half of `find_bounce_gap` before they meet. The bounce has a
-// part of its own, a gap's way, so that what comes after it is looked along as it goes then. What would take more than kMostBounceParts
-// loses the rest. A joint's rows hold where its bodies turn little (joint.h). An island of which one turns by more goes in as many parts as keep each
-// below, at most kMostParts: solved, moved, placed and touched anew each time. Others see it where it began until all islands are
-// solved; then it stands where its parts led, or where it was held back on the straight way there.
-#include "haptics/base/flush_to_zero.h"
+#include "haptics/dynamics/island_stepper.h"
+
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/rigid_reach.h"
-#include "haptics/dynamics/rigid_world.h"
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
@@ -27,10 +20,6 @@ constexpr double kSwingTurn = 0.05;
 constexpr double kMostSwing = 0.5;
 // Of the arm: a spin about an axis that is off the anchor by less moves it little.
 constexpr double kBesideAxis = 0.05;
-
-std::size_t place_at(std::int32_t i) noexcept {
-    return static_cast<std::size_t>(i);
-}
 
 // By how much a spin turns an arm; 0 of one that lies on its axis.
 double find_turn(const Vector3& spin, const Vector3& arm, double dt_s) noexcept {
@@ -55,7 +44,7 @@ TurningEnd find_turning_end(std::int32_t i, double dt_s, const RigidScene& scene
     if (i < 0) {
         return {};
     }
-    const RigidWorldBody& body = scene.bodies[place_at(i)];
+    const RigidWorldBody& body = scene.body(i);
     const RigidState& state = body.state;
     const Vector3 gained = body.moves ? compute_spin_W(body.inertia, state.pose_W.orientation,
                                                        Vector3(dt_s * body.load_W.torque))
@@ -133,23 +122,15 @@ void add_report(const IslandReport& part, IslandReport& whole) noexcept {
     whole.n_dropped = std::max(whole.n_dropped, part.n_dropped);
 }
 
-}  // namespace
-
-IslandParts RigidWorld::parts_of(std::int32_t island) const noexcept {
-    return {islands_.bodies(island), pairs_.group(island), joints_.group(island)};
-}
-
 // Turns that are no numbers are for the step to find.
-int RigidWorld::count_parts(const DueIsland& due) const noexcept {
+int count_parts(const IslandParts& parts, double dt_s, const RigidScene& scene) noexcept {
     double turn = 0.0;
-    for (const std::int32_t i : joints_.group(due.island)) {
-        turn = std::max(turn, find_joint_turn(scene_.joints[place_at(i)], due.dt_s, scene_));
+    for (const std::int32_t i : parts.joints) {
+        turn = std::max(turn, find_joint_turn(scene.joint(i), dt_s, scene));
     }
     double swing = 0.0;
-    for (const std::int32_t i : islands_.bodies(due.island)) {
-        swing = turn > kSwingTurn
-                    ? std::max(swing, find_swing(scene_.bodies[place_at(i)], due.dt_s))
-                    : 0.0;
+    for (const std::int32_t i : parts.bodies) {
+        swing = turn > kSwingTurn ? std::max(swing, find_swing(scene.body(i), dt_s)) : 0.0;
     }
     // Doubled, so that the steps of what goes round evenly are even.
     int n_parts = 1;
@@ -160,25 +141,41 @@ int RigidWorld::count_parts(const DueIsland& due) const noexcept {
     return n_parts;
 }
 
-RigidWorld::SolvedIsland RigidWorld::solve_island(const DueIsland& due,
-                                                  IslandSolver& solver) noexcept {
-    // On each thread alike, whatever that of the caller does.
-    const ScopedFlushToZero flush_to_zero;
-    const IslandParts parts = parts_of(due.island);
-    const int n_parts = count_parts(due);
-    if (n_parts > 1 || find_bounce_s(parts, due.dt_s) < due.dt_s) {
-        return solve_in_parts(due, n_parts, solver);
+// Back to where it began, with the way from there as its drift. Its pairs have been looked at on the true way.
+void end_parts(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
+    for (const std::int32_t i : parts.bodies) {
+        RigidWorldBody& body = scene.body(i);
+        std::swap(body.ends_W, body.state.pose_W);
+        const Quaternion turned =
+            body.ends_W.orientation * body.state.pose_W.orientation.conjugate();
+        body.drift_W = {(body.ends_W.position - body.state.pose_W.position) / dt_s,
+                        compute_log(turned) / dt_s};
+        place_body(body);
     }
-    return {.report = solver.solve(parts, due.dt_s, scene_)};
+    for (const std::int32_t i : parts.pairs) {
+        scene.pairs.at(i).passes = false;
+    }
+}
+
+}  // namespace
+
+SolvedIsland IslandStepper::solve(const IslandParts& parts, double dt_s,
+                                  RigidScene& scene) noexcept {
+    const int n_parts = count_parts(parts, dt_s, scene);
+    if (n_parts > 1 || find_bounce_s(parts, dt_s, scene) < dt_s) {
+        return solve_in_parts(parts, dt_s, n_parts, scene);
+    }
+    return {.report = solver_.solve(parts, dt_s, scene)};
 }
 
 // When something is as good as where it will bounce within the time, or from there when it has bounced; the time where nothing will.
-double RigidWorld::find_bounce_s(const IslandParts& parts, double time_s) const noexcept {
+double IslandStepper::find_bounce_s(const IslandParts& parts, double time_s,
+                                    const RigidScene& scene) const noexcept {
     double bounce_s = time_s;
     for (const std::int32_t i : parts.pairs) {
-        const ContactPair& pair = scene_.pairs.at(i);
-        const RigidWorldBody& first = scene_.bodies[place_at(pair.bodies.first)];
-        const RigidWorldBody& second = scene_.bodies[place_at(pair.bodies.second)];
+        const ContactPair& pair = scene.pairs.at(i);
+        const RigidWorldBody& first = scene.body(pair.bodies.first);
+        const RigidWorldBody& second = scene.body(pair.bodies.second);
         if (!pair.is_first || !(std::max(first.restitution, second.restitution) > 0.0)) {
             continue;
         }
@@ -186,7 +183,7 @@ double RigidWorld::find_bounce_s(const IslandParts& parts, double time_s) const 
         for (const ContactPoint& point : pair.manifold.points()) {
             const double speed =
                 -find_apart(pair.manifold.normal_W, point.place_W, pair.meet_s, first, second);
-            if (!(speed > settings_.least_bounce_m_per_s && point.gap_m <= speed * time_s)) {
+            if (!(speed > least_bounce_m_per_s_ && point.gap_m <= speed * time_s)) {
                 continue;
             }
             const double way_m = point.gap_m > near_m ? point.gap_m - 0.5 * near_m
@@ -197,111 +194,75 @@ double RigidWorld::find_bounce_s(const IslandParts& parts, double time_s) const 
     return bounce_s;
 }
 
-void RigidWorld::solve_part(const IslandParts& parts, double part_s, IslandSolver& solver,
-                            SolvedIsland& solved) noexcept {
+void IslandStepper::solve_part(const IslandParts& parts, double part_s, RigidScene& scene,
+                               SolvedIsland& solved) noexcept {
     double left_s = part_s;
     for (int bounce = 0; bounce < kMostBounceParts; ++bounce) {
-        const double to_s = find_bounce_s(parts, left_s);
+        const double to_s = find_bounce_s(parts, left_s, scene);
         if (!(to_s < left_s)) {
             break;
         }
         left_s -= to_s;
-        add_report(solver.solve(parts, to_s, scene_), solved.report);
-        solved.n_dropped += move_part(parts, to_s, left_s);
-        find_first_met(parts);
-        ++solved.n_parts;
+        go(parts, to_s, left_s, scene, solved);
     }
     // What would bounce once more goes there, and loses the rest.
-    const double last_s = find_bounce_s(parts, left_s);
+    const double last_s = find_bounce_s(parts, left_s, scene);
     solved.is_cut = solved.is_cut || last_s < left_s;
-    add_report(solver.solve(parts, last_s, scene_), solved.report);
-    solved.n_dropped += move_part(parts, last_s, part_s);
-    find_first_met(parts);
-    ++solved.n_parts;
+    go(parts, last_s, part_s, scene, solved);
 }
 
 // What begins to turn faster on the way goes on in smaller parts.
-RigidWorld::SolvedIsland RigidWorld::solve_in_parts(const DueIsland& due, int n_parts,
-                                                    IslandSolver& solver) noexcept {
-    const IslandParts parts = parts_of(due.island);
+SolvedIsland IslandStepper::solve_in_parts(const IslandParts& parts, double dt_s, int n_parts,
+                                           RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene_.bodies[place_at(i)];
+        RigidWorldBody& body = scene.body(i);
         body.ends_W = body.state.pose_W;
     }
     SolvedIsland solved{.n_parts = 0};
     for (int n_left = n_parts; n_left > 0;) {
-        solve_part(parts, due.dt_s / n_parts, solver, solved);
+        solve_part(parts, dt_s / n_parts, scene, solved);
         --n_left;
-        for (const int n_asked = count_parts(due); n_parts < n_asked; n_parts *= 2) {
+        for (const int n_asked = count_parts(parts, dt_s, scene); n_parts < n_asked; n_parts *= 2) {
             n_left *= 2;
         }
     }
-    end_parts(parts, due.dt_s);
+    end_parts(parts, dt_s, scene);
     return solved;
 }
 
-// And sees where it touches there, and in the next part.
-int RigidWorld::move_part(const IslandParts& parts, double part_s, double next_s) noexcept {
-    int n_dropped = 0;
+// A part, and sees where it touches there, and in the next one.
+void IslandStepper::go(const IslandParts& parts, double part_s, double next_s, RigidScene& scene,
+                       SolvedIsland& solved) noexcept {
+    add_report(solver_.solve(parts, part_s, scene), solved.report);
     for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene_.bodies[place_at(i)];
+        RigidWorldBody& body = scene.body(i);
         const RigidState before = body.state;
-        n_dropped += take_state(find_moved(body, part_s), body);
-        scene_.loads.carry(before, body);
+        solved.n_dropped += take_state(find_moved(body, part_s), body);
+        scene.loads.carry(before, body);
         place_body(body);
-        find_ahead(body, settings_.gravity_W, next_s);
+        find_ahead(body, gravity_W_, next_s);
     }
-    std::int32_t last = -1;
-    for (const std::int32_t i : parts.pairs) {
-        // Of one with patches the first, which finds them all.
-        const std::int32_t first = i - scene_.pairs.at(i).bodies.patch;
-        if (first != last) {
-            find_contacts_of(first, 2.0 * next_s);
-            last = first;
-        }
-    }
-    return n_dropped;
+    ahead_->find_of(parts, 2.0 * next_s, scene);
+    ++solved.n_parts;
 }
 
-// Back to where it began, with the way from there as its drift. Its pairs have been looked at on the true way.
-void RigidWorld::end_parts(const IslandParts& parts, double dt_s) noexcept {
+void IslandStepper::move(const IslandParts& parts, double dt_s, double goes, SolvedIsland& solved,
+                         RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene_.bodies[place_at(i)];
-        std::swap(body.ends_W, body.state.pose_W);
-        const Quaternion turned =
-            body.ends_W.orientation * body.state.pose_W.orientation.conjugate();
-        body.drift_W = {(body.ends_W.position - body.state.pose_W.position) / dt_s,
-                        compute_log(turned) / dt_s};
-        place_body(body);
-    }
-    for (const std::int32_t i : parts.pairs) {
-        scene_.pairs.at(i).passes = false;
-    }
-}
-
-int RigidWorld::move_island(const DueIsland& due, const SolvedIsland& solved) noexcept {
-    const ScopedFlushToZero flush_to_zero;
-    const IslandParts parts = parts_of(due.island);
-    const double goes = parts_[place_at(due.island)];
-    int n_dropped = solved.n_dropped;
-    for (const std::int32_t i : parts.bodies) {
-        RigidWorldBody& body = scene_.bodies[place_at(i)];
+        RigidWorldBody& body = scene.body(i);
         if (solved.n_parts == 1) {
-            n_dropped += take_state(find_moved(body, due.dt_s * goes), body);
+            solved.n_dropped += take_state(find_moved(body, dt_s * goes), body);
         } else {
             const Pose began_W = body.state.pose_W;
             body.state.pose_W = body.ends_W;
             if (goes < 1.0) {
-                body.state.pose_W.position =
-                    began_W.position + goes * due.dt_s * body.drift_W.linear;
+                body.state.pose_W.position = began_W.position + goes * dt_s * body.drift_W.linear;
                 body.state.pose_W.orientation =
-                    compute_exp(goes * due.dt_s * body.drift_W.angular) * began_W.orientation;
+                    compute_exp(goes * dt_s * body.drift_W.angular) * began_W.orientation;
             }
         }
         body.forget_loads();
     }
-    rest_bodies(parts, due.dt_s);
-    return n_dropped;
 }
 
 }  // namespace fulcrum
