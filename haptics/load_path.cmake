@@ -2,7 +2,7 @@
 # step path, which may not (tests/realtime/realtime.cmake).
 set(haptics_load_path
     error.cpp range.cpp invert.cpp spectral_radius.cpp tool_coupling_settings.cpp integrator_settings.cpp collision_mesh.cpp
-    told_rings_build.cpp round_teller_build.cpp velocity_settings.cpp passivity_settings.cpp field_settings.cpp haptic_loop_build.cpp safety_settings.cpp
+    told_rings_build.cpp round_teller_build.cpp velocity_settings.cpp passivity_settings.cpp field_settings.cpp haptic_loop_build.cpp scene_forces_build.cpp safety_settings.cpp
     pointer_settings.cpp simulated_hand_settings.cpp simulated_arm_settings.cpp arm_model.cpp arm_reach.cpp
     simulated_wam_build.cpp replay_device_build.cpp fitted_device_build.cpp sensor_life.cpp watched_device_build.cpp axis_order.cpp report_descriptor.cpp
     report_lookup.cpp force_layout.cpp force_effects.cpp hid_ability.cpp hid_port.cpp hid_hand_build.cpp rate_settings.cpp

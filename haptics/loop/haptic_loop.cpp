@@ -1,6 +1,5 @@
-// The step path of haptic_loop.h; what each effect adds to the force stands in haptic_loop_forces.cpp. What builds and
-// describes the loop stands in haptic_loop_build.cpp, so that these objects can be checked for calls that a real-time thread
-// must not make.
+// The step path of haptic_loop.h. What builds and describes the loop stands in haptic_loop_build.cpp, so that this object can be
+// checked for calls that a real-time thread must not make.
 #include "haptics/loop/haptic_loop.h"
 
 #include "haptics/loop/workspace.h"
@@ -25,7 +24,7 @@ bool is_fresh(double stamp_s, double now_s, double timeout_s, double ahead_s) no
 // The whole round. `passed(stage)` is called as each stage ends; where nobody listens it is nothing, and no instruction of
 // it is left. What is not in the plan is neither done nor told.
 template <class Passed>
-void HapticLoop::run_round(double now_s, const Passed& passed) noexcept {
+void HapticLoop::run_round(double now_s, Passed passed) noexcept {
     begin_round(now_s);
     take_inputs();
     passed(HapticStage::take_inputs);
@@ -34,15 +33,9 @@ void HapticLoop::run_round(double now_s, const Passed& passed) noexcept {
     estimate_motion();
     watch_hand();
     passed(HapticStage::estimate);
-    move_proxy();
-    if (touch_) {
-        passed(HapticStage::proxy);
-    }
-    if (tool_) {
-        move_tool();
-        passed(HapticStage::tool);
-    }
-    compute_forces(passed);
+    const SceneRound round = make_scene_round();
+    scene_.move(round, passed);
+    scene_.compute(round, passed);
     if (passivity_) {
         keep_passive();
         passed(HapticStage::passivity);
@@ -60,11 +53,11 @@ void HapticLoop::run_round(double now_s, const Passed& passed) noexcept {
 }
 
 void HapticLoop::step(double now_s) noexcept {
-    run_round(now_s, [](HapticStage) {});
+    run_round(now_s, NobodyListens{});
 }
 
 void HapticLoop::step_observed(double now_s, StageListener& listener) noexcept {
-    run_round(now_s, [&listener](HapticStage stage) { listener.passed(stage); });
+    run_round(now_s, TellsListener{listener});
 }
 
 void HapticLoop::begin_round(double now_s) noexcept {
@@ -206,134 +199,23 @@ void HapticLoop::watch_hand() noexcept {
     watched_D_ = now_D;
 }
 
-// Where everything is that can be touched; false where that is not known in this round.
-bool HapticLoop::find_solids() noexcept {
-    solid_poses_W_ = {};
-    if (!solids_ || !has_pose_) {
-        return false;
-    }
-    const bool is_told = plan_.expects_world && heard_world_;
-    if (!solids_->step(is_told ? &channels_.world.value() : nullptr)) {
-        state_.faults |= Fault::command_invalid;
-        return false;
-    }
-    // With those on axles turned; what has been put elsewhere at once, proxy and tool are told.
-    const std::span<const Pose> poses_W = solids_->poses_W();
-    solid_poses_W_ = axles_ ? axles_->turn(poses_W) : poses_W;
-    std::uint32_t put = solids_->put() | (axles_ ? axles_->put() : 0);
-    if (bodies_) {
-        solid_poses_W_ = bodies_->place(solid_poses_W_, now_s_);
-        put |= bodies_->put();
-        // What it tells is a step old.
-        if (!(bodies_->age_s(now_s_) <= plan_.safety.command_timeout_s + kLongestRigidStep_s)) {
-            state_.faults |= Fault::command_stale;
-        }
-    }
-    if (touch_) {
-        touch_->velocity.put(put, solid_poses_W_);
-    }
-    for (std::size_t i = 0; touch_ && i < poses_W.size(); ++i) {
-        if ((put >> i & 1U) != 0) {
-            touch_->proxy->put_solid(i, solid_poses_W_[i]);
-        }
-    }
-    if (tool_ && put != 0) {
-        tool_->let_go(put);
-    }
-    return true;
-}
-
-void HapticLoop::move_proxy() noexcept {
-    state_.proxy_position_W = state_.tool_pose_W.position;
-    state_.proxy_orientation_W = state_.tool_pose_W.orientation;
-    state_.touched_body = kNoBody;
-    const bool is_known = find_solids();
-    if (touch_) {
-        touch_->contact = {};
-    }
-    if (!touch_ || !is_known) {
-        return;
-    }
-    state_.proxy_orientation_W = touch_->proxy->turn(state_.tool_pose_W.orientation);
-    touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, solid_poses_W_);
-    state_.proxy_position_W = touch_->contact.position_W;
-    state_.touched_body = solids_->body_of(touch_->contact.solid);
-}
-
-template <class Passed>
-void HapticLoop::compute_forces(const Passed& passed) noexcept {
-    demand_ = SceneDemand{};
-    teller_->begin(has_pose_);
-    if (tool_) {
-        add_tool();
-    }
-    if (touch_) {
-        add_contact();
-        passed(HapticStage::coupling);
-    }
-    if (axles_) {
-        turn_axles();
-        passed(HapticStage::turning);
-    }
-    if (bodies_) {
-        push_bodies();
-        passed(HapticStage::pushing);
-    }
-    if (touch_ && touch_->effects) {
-        add_surface(passed);
-    }
-    if (weight_) {
-        add_weight();
-        passed(HapticStage::weight);
-    }
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-        add_field(i);
-        passed(stage_of(plan_.fields[i].kind));
-    }
-    if (line_) {
-        add_line();
-        passed(HapticStage::line);
-    }
-    if (lesson_force_) {
-        add_lesson_force();
-        passed(HapticStage::lesson);
-    }
-    state_.commanded_W = has_pose_ ? demand_.wrench_W : Wrench{};
-}
-
-template <class Passed>
-void HapticLoop::add_surface(const Passed& passed) noexcept {
-    SurfaceEffects& effects = *touch_->effects;
-    effects.begin_round(
-        touch_->coupling.touches(), solid_poses_W_,
-        {state_.tool_pose_W.position, state_.proxy_position_W, state_.tool_twist_W.linear, dt_s_});
-    if (effects.texture) {
-        const SurfaceForce felt = effects.add_texture();
-        add_surface_force(felt);
-        teller_->share(Effect::texture, felt.force_W);
-        passed(HapticStage::texture);
-    }
-    if (effects.transient) {
-        const SurfaceForce felt = effects.add_transient();
-        add_surface_force(felt);
-        teller_->share(Effect::tap, felt.force_W);
-        passed(HapticStage::transient);
-    }
-    if (effects.teller) {
-        effects.tell(now_s_);
-    }
-}
-
-void HapticLoop::add_surface_force(const SurfaceForce& felt) noexcept {
-    demand_.wrench_W.force += felt.force_W;
-    demand_.force += felt.counted;
+SceneRound HapticLoop::make_scene_round() noexcept {
+    return {.state = state_,
+            .teller = *teller_,
+            .gate = gate_,
+            .hand = {velocity_, reading_.stamp_s},
+            .now_s = now_s_,
+            .dt_s = dt_s_,
+            .has_pose = has_pose_,
+            .heard_world = heard_world_};
 }
 
 void HapticLoop::keep_passive() noexcept {
     if (!has_pose_) {
         return;
     }
-    const Wrench brake_W = passivity_->step(demand_, state_.tool_pose_W, dt_s_, has_new_pose_);
+    const Wrench brake_W =
+        passivity_->step(scene_.demand(), state_.tool_pose_W, dt_s_, has_new_pose_);
     state_.commanded_W.force += brake_W.force;
     state_.commanded_W.torque += brake_W.torque;
     teller_->share(Effect::brake, brake_W.force, brake_W.torque);
@@ -369,20 +251,7 @@ void HapticLoop::forget_motion() noexcept {
     velocity_.reset();
     angular_velocity_.reset();
     state_.tool_twist_W = Twist{};
-    if (touch_) {
-        touch_->proxy->reset(state_.tool_pose_W.position);
-        touch_->coupling.leave();
-        touch_->velocity.forget();
-        if (touch_->effects) {
-            touch_->effects->forget();
-        }
-    }
-    if (tool_) {
-        tool_->let_go();
-    }
-    if (bodies_) {
-        bodies_->let_go();
-    }
+    scene_.forget(state_.tool_pose_W.position);
     if (passivity_) {
         passivity_->forget();
     }

@@ -14,31 +14,20 @@
 #include "haptics/base/periodic_task.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/device/device.h"
-#include "haptics/field/field.h"
-#include "haptics/field/linearised_wrench.h"
-#include "haptics/field/weight.h"
 #include "haptics/handover/channels.h"
-#include "haptics/loop/axle_stage.h"
-#include "haptics/loop/body_stage.h"
-#include "haptics/loop/contact_stage.h"
 #include "haptics/loop/hand_guard.h"
 #include "haptics/loop/haptic_plan.h"
-#include "haptics/loop/line_stage.h"
 #include "haptics/loop/passivity_stage.h"
 #include "haptics/loop/round_teller.h"
 #include "haptics/loop/safety.h"
-#include "haptics/loop/solid_places.h"
+#include "haptics/loop/scene_forces.h"
 #include "haptics/loop/stage_listener.h"
-#include "haptics/loop/surface_effects.h"
-#include "haptics/loop/tool_stage.h"
-#include "haptics/loop/touch_velocity.h"
 #include "haptics/point/proxy.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace fulcrum {
@@ -52,13 +41,6 @@ inline constexpr double kFastestRinging = 0.4;  ///< of the loop's rate: 2.5 rou
 [[nodiscard]] Expected<void> validate_ringing(const TransientSettings& tap, double rate_hz);
 /// The same, and refuses a device whose steps are too coarse at the plan's scale.
 [[nodiscard]] Expected<void> validate(const HapticPlan& plan, const DeviceTraits& traits);
-
-/// A stage that was built, for people to read.
-struct StageInfo {
-    HapticStage stage = HapticStage::read;
-    double rate_Hz = 0.0;
-    std::size_t bytes = 0;  ///< of state that this stage alone needs
-};
 
 class HapticLoop final : public PeriodicTask {
   public:
@@ -95,59 +77,35 @@ class HapticLoop final : public PeriodicTask {
     [[nodiscard]] double max_torque_Nm() const noexcept { return gate_.max_torque_Nm(); }
     /// What a thread has to run beside the rounds, or whoever calls them after each (beside_thread.h); null where they do all. Lives as
     /// long as the loop.
-    [[nodiscard]] BesideTask* beside() const noexcept { return tool_ ? tool_->beside() : nullptr; }
+    [[nodiscard]] BesideTask* beside() const noexcept {
+        return scene_.tool() != nullptr ? scene_.tool()->beside() : nullptr;
+    }
     /// From now on told when a step of the tool does itself what could run beside. Before the first round.
     void listen_to_rounds(RoundListener* listener) noexcept {
-        if (tool_) {
-            tool_->listen_to_rounds(listener);
+        if (scene_.tool() != nullptr) {
+            scene_.tool()->listen_to_rounds(listener);
         }
     }
     /// How old what it told was, of each round with a tool in use; null without one.
     [[nodiscard]] const ContactLateness* contact_lateness() const noexcept {
-        return tool_ ? tool_->lateness() : nullptr;
+        return scene_.tool() != nullptr ? scene_.tool()->lateness() : nullptr;
     }
     /// The stages that exist, in the order of the step.
     [[nodiscard]] std::vector<StageInfo> stages() const;
 
   private:
-    // What happens between proxy and hand; there when the plan has solids.
-    struct TouchStage {
-        std::unique_ptr<Proxy> proxy;
-        ContactStage coupling;
-        TouchVelocity velocity{};
-        ProxyContact contact{};
-        std::unique_ptr<SurfaceEffects> effects{};
-    };
-
     template <class Passed>
-    void run_round(double now_s, const Passed& passed) noexcept;
+    void run_round(double now_s, Passed passed) noexcept;
     void begin_round(double now_s) noexcept;
     void take_inputs() noexcept;
     void take_stop() noexcept;
     void read_device() noexcept;
     void estimate_motion() noexcept;
     void watch_hand() noexcept;
-    [[nodiscard]] bool find_solids() noexcept;
-    void move_proxy() noexcept;
-    void move_tool() noexcept;
-    template <class Passed>
-    void compute_forces(const Passed& passed) noexcept;
-    void add_contact() noexcept;
-    void add_touch() noexcept;
-    void add_tool() noexcept;
-    void turn_axles() noexcept;
-    void push_bodies() noexcept;
-    template <class Passed>
-    void add_surface(const Passed& passed) noexcept;
-    void add_surface_force(const SurfaceForce& felt) noexcept;
-    void add_weight() noexcept;
-    void add_field(std::size_t index) noexcept;
-    void add_line() noexcept;
-    void add_lesson_force() noexcept;
+    [[nodiscard]] SceneRound make_scene_round() noexcept;
     void keep_passive() noexcept;
     void limit_forces() noexcept;
     void write_device() noexcept;
-    [[nodiscard]] std::vector<EffectSlot> list_effects() const;
 
     [[nodiscard]] bool accept(const DeviceReading& reading) noexcept;
     void forget_motion() noexcept;
@@ -160,15 +118,7 @@ class HapticLoop final : public PeriodicTask {
     // Stages; those not in the plan are empty.
     VelocityEstimator velocity_;
     AngularVelocityEstimator angular_velocity_;
-    std::unique_ptr<SolidPlaces> solids_;  // where something touches them
-    std::unique_ptr<AxleStage> axles_;     // where some turn
-    std::unique_ptr<BodyStage> bodies_;    // where some are rigid bodies
-    std::unique_ptr<TouchStage> touch_;
-    std::unique_ptr<ToolStage> tool_;
-    std::unique_ptr<WeightRamp> weight_;
-    std::vector<FieldStage> fields_;
-    std::unique_ptr<LineStage> line_;
-    std::unique_ptr<LinearisedWrenchStage> lesson_force_;
+    SceneForces scene_;
     std::unique_ptr<PassivityStage> passivity_;
     SafetyGate gate_;
     HandGuard guard_;
@@ -192,11 +142,7 @@ class HapticLoop final : public PeriodicTask {
     bool is_reading_ = true;           // whether what the device gave in it was one
     Fault told_faults_ = Fault::none;  // what the device told beside it
     Pose watched_D_{};                 // the hand's, when it was watched last
-    // Proxy, tool.
-    std::span<const Pose> solid_poses_W_{};  // in this round
-    ToolForce tool_force_{};
-    // Forces, limits.
-    SceneDemand demand_{};
+    // Limits.
     Wrench applied_D_{};
     HapticState state_{};
 };

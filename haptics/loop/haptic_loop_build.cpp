@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -35,52 +34,6 @@ SafetySettings choose_safety_settings(const HapticPlan& plan, const DeviceTraits
         settings.max_torque_Nm = std::min(settings.max_torque_Nm, traits.max_torque_Nm);
     }
     return settings;
-}
-
-// A lesson's own slopes get what the declared fields leave, seen through the scale.
-LinearisedWrenchSettings choose_lesson_settings(const HapticPlan& plan,
-                                                const SafetySettings& safety) {
-    FieldGains left{kMaxFeltStiffness_N_per_m / plan.workspace.scale,
-                    kMaxFeltDamping_Ns_per_m / plan.workspace.scale};
-    for (const FieldPlan& field : plan.fields) {
-        const FieldGains gains = compute_largest_gains(field);
-        left.stiffness_N_per_m -= gains.stiffness_N_per_m;
-        left.damping_Ns_per_m -= gains.damping_Ns_per_m;
-    }
-    LinearisedWrenchSettings settings;
-    settings.timeout_s = safety.command_timeout_s;
-    settings.blend_s = 1.0 / plan.lesson_rate_hz;
-    settings.max_force_N = safety.max_force_N;
-    settings.max_torque_Nm = safety.max_torque_Nm;
-    settings.max_stiffness_N_per_m = std::max(left.stiffness_N_per_m, 0.0);
-    settings.max_damping_Ns_per_m = std::max(left.damping_Ns_per_m, 0.0);
-    settings.max_torque_stiffness_Nm_per_m =
-        kMaxFeltTorqueStiffness_Nm_per_m / plan.workspace.scale;
-    return settings;
-}
-
-template <class Add>
-void add_surface_stages(const SurfaceEffects* effects, const Add& add) {
-    if (effects != nullptr && effects->texture) {
-        add(HapticStage::texture,
-            effects->texture->memory_bytes() + effects->motion.memory_bytes());
-    }
-    if (effects != nullptr && effects->transient) {
-        add(HapticStage::transient, effects->transient->memory_bytes());
-    }
-}
-
-// Solids of one mesh share it.
-std::size_t count_shape_bytes(const std::vector<SolidPlan>& solids) {
-    std::size_t bytes = 0;
-    std::set<const CollisionMesh*> counted;
-    for (const SolidPlan& solid : solids) {
-        const MeshShape* mesh = find_mesh(solid.shape);
-        if (mesh == nullptr || counted.insert(mesh->get()).second) {
-            bytes += memory_bytes(solid.shape);
-        }
-    }
-    return bytes;
 }
 
 Expected<void> check_ringing(const HapticPlan& plan) {
@@ -170,67 +123,16 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
       channels_(channels),
       velocity_(choose_velocity_settings(plan, device.traits())),
       angular_velocity_(plan.velocity_cutoff_hz),
+      scene_(plan_, device.traits(), choose_safety_settings(plan, device.traits()), channels,
+             std::move(proxy)),
       gate_(choose_safety_settings(plan, device.traits()), 1.0 / plan.rate_hz),
       guard_(plan.safety) {
-    if (proxy) {
-        touch_ = std::make_unique<TouchStage>(
-            TouchStage{std::move(proxy),
-                       ContactStage(plan),
-                       {},
-                       {},
-                       make_surface_effects(plan, device.traits(), channels.touches)});
-    }
-    tool_ = make_tool_stage(plan);
-    if (touch_ || tool_) {
-        solids_ = std::make_unique<SolidPlaces>(plan);
-        axles_ = make_axle_stage(plan, channels.axles);
-        bodies_ = make_body_stage(plan, channels.rigid);
-    }
-    if (plan.carries_weight) {
-        weight_ = std::make_unique<WeightRamp>(plan.weight_onset_s);
-    }
-    fields_.reserve(plan.fields.size());
-    for (const FieldPlan& field : plan.fields) {
-        fields_.emplace_back(field);
-    }
-    if (plan.line) {
-        line_ = std::make_unique<LineStage>(*plan.line, channels.kite);
-    }
-    if (plan.lesson_force) {
-        lesson_force_ = std::make_unique<LinearisedWrenchStage>(
-            choose_lesson_settings(plan, choose_safety_settings(plan, device.traits())));
-    }
-    if (plan.passivity.on && (touch_ || has_forces(plan))) {
+    std::vector<EffectSlot> effects = scene_.list_effects();
+    if (plan.passivity.on && (scene_.has_proxy() || has_forces(plan))) {
         passivity_ = std::make_unique<PassivityStage>(plan, device.traits());
+        effects.push_back({Effect::brake, -1});
     }
-    teller_.emplace(channels, list_effects());
-}
-
-// In the order in which the step adds them.
-std::vector<EffectSlot> HapticLoop::list_effects() const {
-    std::vector<EffectSlot> effects;
-    const auto add = [&](bool is_there, Effect effect) {
-        if (is_there) {
-            effects.push_back({effect, -1});
-        }
-    };
-    const SurfaceEffects* const surface = touch_ ? touch_->effects.get() : nullptr;
-    add(tool_ != nullptr, Effect::tool);
-    add(tool_ != nullptr, Effect::tool_damping);
-    add(touch_ != nullptr, Effect::contact);
-    add(touch_ != nullptr, Effect::contact_damping);
-    add(bodies_ && touch_, Effect::grip);
-    add((surface != nullptr && surface->texture) || (tool_ && tool_->has_texture()),
-        Effect::texture);
-    add(surface != nullptr && surface->transient, Effect::tap);
-    add(weight_ != nullptr, Effect::weight);
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-        effects.push_back({Effect::field, static_cast<std::int32_t>(i)});
-    }
-    add(line_ != nullptr, Effect::line);
-    add(lesson_force_ != nullptr, Effect::lesson);
-    add(passivity_ != nullptr, Effect::brake);
-    return effects;
+    teller_.emplace(channels, std::move(effects));
 }
 
 HapticLoop::~HapticLoop() = default;
@@ -243,34 +145,7 @@ std::vector<StageInfo> HapticLoop::stages() const {
     add(HapticStage::take_inputs, sizeof(channels_.command) + sizeof(channels_.world));
     add(HapticStage::read, sizeof(reading_));
     add(HapticStage::estimate, sizeof(velocity_) + sizeof(angular_velocity_));
-    if (touch_) {
-        add(HapticStage::proxy, sizeof(TouchStage) + count_shape_bytes(plan_.solids));
-        add(HapticStage::coupling, touch_->coupling.memory_bytes());
-    }
-    if (tool_) {
-        add(HapticStage::tool, tool_->memory_bytes());
-    }
-    if (axles_) {
-        add(HapticStage::turning, axles_->memory_bytes());
-    }
-    if (bodies_) {
-        add(HapticStage::pushing, bodies_->memory_bytes());
-    }
-    if (touch_) {
-        add_surface_stages(touch_->effects.get(), add);
-    }
-    if (weight_) {
-        add(HapticStage::weight, sizeof(WeightRamp));
-    }
-    for (const FieldPlan& field : plan_.fields) {
-        add(stage_of(field.kind), sizeof(FieldStage));
-    }
-    if (line_) {
-        add(HapticStage::line, sizeof(LineStage) + sizeof(KiteChannels::line));
-    }
-    if (lesson_force_) {
-        add(HapticStage::lesson, sizeof(LinearisedWrenchStage));
-    }
+    scene_.list_stages(list);
     if (passivity_) {
         add(HapticStage::passivity, sizeof(PassivityStage));
     }

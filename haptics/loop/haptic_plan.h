@@ -79,6 +79,13 @@ inline constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStag
     return kNames[static_cast<std::size_t>(stage)];
 }
 
+/// A stage that was built, for people to read.
+struct StageInfo {
+    HapticStage stage = HapticStage::read;
+    double rate_Hz = 0.0;
+    std::size_t bytes = 0;  ///< of state that this stage alone needs
+};
+
 /// The stage that renders a field of this kind.
 [[nodiscard]] constexpr HapticStage stage_of(FieldKind kind) noexcept {
     constexpr HapticStage kStages[] = {HapticStage::spring, HapticStage::viscosity,

@@ -18,4 +18,15 @@ class StageListener {
     virtual void begins_hand(std::size_t /*hand*/) noexcept {}
 };
 
+/// Called as each stage ends where nobody listens: no instruction of it is left.
+struct NobodyListens {
+    void operator()(HapticStage /*stage*/) const noexcept {}
+};
+
+/// And where somebody does.
+struct TellsListener {
+    StageListener& listener;
+    void operator()(HapticStage stage) const noexcept { listener.passed(stage); }
+};
+
 }  // namespace fulcrum

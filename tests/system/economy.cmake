@@ -10,11 +10,13 @@ set(field_and_loop_sources ${field_and_loop})
 list(FILTER field_and_loop_sources INCLUDE REGEX "[.]cpp$")
 set(kind_sources ${field_and_loop_sources})
 list(TRANSFORM kind_sources REPLACE "^${CMAKE_SOURCE_DIR}" ${economy_copy}/kind)
-set(tested_source ${economy_copy}/tested/haptics/loop/haptic_loop.cpp)
-set(silent_source ${economy_copy}/silent/haptics/loop/haptic_loop.cpp)
-set_source_files_properties(${economy_copy}/kind/haptics/loop/haptic_loop.cpp ${tested_source} ${silent_source}
-                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-add_custom_command(OUTPUT ${kind_sources} ${tested_source} ${silent_source}
+# The sources that tell of stages.
+set(told_sources ${economy_copy}/COPY/haptics/loop/haptic_loop.cpp ${economy_copy}/COPY/haptics/loop/scene_forces.cpp)
+foreach(copy kind tested silent)
+  list(TRANSFORM told_sources REPLACE "/COPY/" "/${copy}/" OUTPUT_VARIABLE ${copy}_told)
+  set_source_files_properties(${${copy}_told} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endforeach()
+add_custom_command(OUTPUT ${kind_sources} ${tested_told} ${silent_told}
                    COMMAND ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${CMAKE_SOURCE_DIR} ${economy_copy}
                    DEPENDS ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${field_and_loop})
 # A program's own objects stand before those of the library; they are joined as those are.
@@ -30,8 +32,8 @@ add_economy_probe(economy_probe)
 add_economy_probe(economy_probe_more ${kind_sources})
 target_include_directories(economy_probe_more BEFORE PRIVATE ${economy_copy}/kind)
 target_compile_definitions(economy_probe_more PRIVATE ECONOMY_ADDED_KIND=wind)
-add_economy_probe(economy_probe_tested ${tested_source})
-add_economy_probe(economy_probe_silent ${silent_source})
+add_economy_probe(economy_probe_tested ${tested_told})
+add_economy_probe(economy_probe_silent ${silent_told})
 
 set(economy_name "system: only what a scene calls for is executed, whatever else the library knows")
 add_test(NAME "${economy_name}"

@@ -35,12 +35,18 @@ insert "$tree/loop/haptic_plan.h" '^enum class HapticStage' '^    lesson,' '    
 insert "$tree/loop/haptic_plan.h" ' kNames\[\] = ' '"forces: lesson"' '"forces: wind",'
 insert "$tree/loop/haptic_plan.h" ' kStages\[\] = ' '^ *HapticStage::magnet};' 'HapticStage::wind,'
 
-cp "$root/haptics/loop/haptic_loop.cpp" "$copy/tested/haptics/loop"
-insert "$copy/tested/haptics/loop/haptic_loop.cpp" '^void HapticLoop::compute_forces' '^}' '    if (plan_.weight_onset_s < 0.0) {
-        state_.faults |= Fault::command_invalid;
+told=(haptic_loop.cpp scene_forces.cpp)
+cp "${told[@]/#/$root/haptics/loop/}" "$copy/tested/haptics/loop"
+insert "$copy/tested/haptics/loop/scene_forces.cpp" '^void SceneForces::compute' '^}' '    if (plan_.weight_onset_s < 0.0) {
+        round.state.faults |= Fault::command_invalid;
     }'
 
-silent=$copy/silent/haptics/loop/haptic_loop.cpp
-sed -E 's/^( *)passed\(.*\);$/\1(void)passed;/' "$root/haptics/loop/haptic_loop.cpp" >"$silent"
-[[ $(grep -c '(void)passed;' "$silent") -ge 10 && $(grep -c '^ *passed(' "$silent") -eq 0 ]] ||
-    { echo "add_effect.sh: haptic_loop.cpp tells of its stages in another way now" >&2 && exit 1; }
+silent=("${told[@]/#/$copy/silent/haptics/loop/}")
+for source in "${told[@]}"; do
+    sed -E 's/^( *)passed\(.*\);$/\1(void)passed;/' "$root/haptics/loop/$source" >"$copy/silent/haptics/loop/$source"
+done
+[[ $(grep -h '(void)passed;' "${silent[@]}" | wc -l) -ge 18 && $(grep -h '^ *passed(' "${silent[@]}" | wc -l) -eq 0 ]] ||
+    { echo "add_effect.sh: haptic_loop.cpp and scene_forces.cpp tell of their stages in another way now" >&2 && exit 1; }
+for source in "${silent[@]}"; do
+    grep -q '(void)passed;' "$source" || { echo "add_effect.sh: ${source##*/} tells of no stage any more" >&2 && exit 1; }
+done
