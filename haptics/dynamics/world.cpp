@@ -35,20 +35,30 @@ void World::step(double dt_s, const HapticState& tool) noexcept {
     if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
         return;
     }
-    // Where the tool was and is.
+    const Pose before_WT = take_tool(tool);
+    snapshot_.time_s += dt_s;
+    if (n_moving_ == 0 && n_held_ == 0) {
+        return;
+    }
+    move_bodies(dt_s, before_WT);
+    describe();
+}
+
+// Returns where it was.
+Pose World::take_tool(const HapticState& tool) noexcept {
     const Pose asked_WT = get_tool_pose(tool);
     const Pose before_WT = has_tool_ ? tool_WT_ : asked_WT;
     if (is_pose(asked_WT)) {
         tool_WT_ = asked_WT;
         has_tool_ = true;
     }
-    snapshot_.time_s += dt_s;
-    if (n_moving_ == 0 && n_held_ == 0) {
-        return;
-    }
+    return before_WT;
+}
+
+void World::move_bodies(double dt_s, const Pose& tool_before_WT) noexcept {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         if (bodies_[i].where == BodyWhere::falling) {
-            move_falling(i, dt_s, before_WT);
+            move_falling(i, dt_s, tool_before_WT);
         } else if (bodies_[i].where == BodyWhere::held) {
             const Vector3 before_W = bodies_[i].pose_W.position;
             move_held(bodies_[i], dt_s);
@@ -57,7 +67,6 @@ void World::step(double dt_s, const HapticState& tool) noexcept {
             move_landed(bodies_[i], dt_s);
         }
     }
-    describe();
 }
 
 void World::apply(const WorldCommand& command) noexcept {

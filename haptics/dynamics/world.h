@@ -72,6 +72,8 @@ class World {
   private:
     [[nodiscard]] bool is_full() const noexcept;
     [[nodiscard]] bool is_usable(const WorldCommand& command) const noexcept;
+    Pose take_tool(const HapticState& tool) noexcept;
+    void move_bodies(double dt_s, const Pose& tool_before_WT) noexcept;
     void free_body(RigidBody& body, const WorldCommand& command) noexcept;
     void hold_body(RigidBody& body) noexcept;
     void move_falling(std::size_t index, double dt_s, const Pose& tool_before_WT) noexcept;
