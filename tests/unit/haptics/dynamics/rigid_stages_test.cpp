@@ -74,9 +74,9 @@ struct Stages {
         }
     }
     [[nodiscard]] std::vector<BodyPair> list_pairs() const {
-        std::vector<BodyPair> pairs;
-        for (int i = 0; i < scene.pairs.count(); ++i) {
-            pairs.push_back(scene.pairs.at(i).bodies);
+        std::vector<BodyPair> pairs(static_cast<std::size_t>(scene.pairs.count()));
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            pairs[i] = scene.pairs.at(static_cast<int>(i)).bodies;
         }
         return pairs;
     }
