@@ -18,7 +18,7 @@ set(haptics_load_path
     texture_map_build.cpp texture_build.cpp shading_build.cpp contact_stage_build.cpp texture_stage_build.cpp
     transient_stage_build.cpp surface_effects_build.cpp sha256.cpp shape_key.cpp shape_bytes.cpp distance_field_bytes.cpp
     distance_band.cpp brick_sides.cpp brick_triangles.cpp shape_fit.cpp wall_thickness.cpp distance_field_build.cpp
-    distance_field_settings.cpp shell_tree.cpp field_sampling_build.cpp field_load_build.cpp field_contacts_build.cpp
+    distance_field_settings.cpp shell_tree.cpp field_sampling_settings.cpp field_sampler_build.cpp field_load_build.cpp field_contacts_build.cpp
     contact_loop_build.cpp implicit_penalty_build.cpp god_object_tool_build.cpp god_motion_build.cpp god_pairs_build.cpp god_slips_build.cpp
     god_allowed_build.cpp god_presses_build.cpp god_shading_build.cpp god_texture_build.cpp god_surface.cpp
     kite.cpp wind_settings.cpp line_build.cpp kite_flight_build.cpp line_feel_settings.cpp kite_loop_build.cpp kite_swap_build.cpp contact_method.cpp contact_solver_build.cpp least_constraint_build.cpp

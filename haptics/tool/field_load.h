@@ -1,7 +1,7 @@
-// A tool of points against a distance field (field_sampling.h) as a load on a rigid body, for every integrator and for the tool on
+// A tool of points against a distance field (field_sampler.h) as a load on a rigid body, for every integrator and for the tool on
 // its coupling: the same face as voxel sampling has, so that either carries a tool.
 //
-//   wrench      as field_sampling.h has it; continuous across voxels along `normals`, conservative along `slopes`
+//   wrench      as field_sampler.h has it; continuous across voxels along `normals`, conservative along `slopes`
 //   derivative  by the tool's pose, exact within a cell; none by its velocity, for the field neither brakes nor damps
 // With a budget of time both are those of the points that were looked at, for all they stand for, and how far the wrench may be off is
 // told with it. What was found in the last step says where to look first, so that the same pose may give another wrench in another
@@ -14,7 +14,7 @@
 // field sampling; with derivatives 0.1 us more for a point that touches, within the budget where there is one. No allocation.
 #pragma once
 
-#include "haptics/tool/field_sampling.h"
+#include "haptics/tool/field_sampling/field_sampler.h"
 #include "haptics/tool/tool_motion.h"
 #include "haptics/tool/voxel_sampling.h"
 

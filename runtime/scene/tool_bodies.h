@@ -10,7 +10,7 @@
 // Thread: load path. Cost: 10 ms and 1 byte a voxel up to 4 million for each mesh; with a lesson's own voxels at most kMostVoxels.
 #pragma once
 
-#include "haptics/tool/field_sampling.h"
+#include "haptics/tool/field_sampling/field_sampler.h"
 #include "haptics/tool/god_surface.h"
 #include "haptics/tool/level_contacts.h"
 #include "haptics/voxel/voxel_grid.h"

@@ -11,7 +11,7 @@
 
 #include "haptics/geometry/triangle_mesh.h"
 #include "haptics/math/spatial.h"
-#include "haptics/tool/field_sampling.h"
+#include "haptics/tool/field_sampling/field_sampler.h"
 #include "haptics/voxel/pointshell.h"
 
 #include <functional>

@@ -4,7 +4,7 @@
 #include "haptics/dynamics/loads.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
-#include "haptics/tool/field_sampling.h"
+#include "haptics/tool/field_sampling/field_sampler.h"
 #include "tests/stability/cases/tool_course.h"
 #include "tests/support/join_meshes.h"
 #include "tests/support/wander.h"

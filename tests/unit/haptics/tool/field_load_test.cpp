@@ -2,6 +2,7 @@
 
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/loads.h"
+#include "haptics/tool/field_sampling/field_slopes.h"
 #include "haptics/tool/voxel_tool.h"
 #include "tests/support/adding_load.h"
 #include "tests/support/differentiated_loads.h"

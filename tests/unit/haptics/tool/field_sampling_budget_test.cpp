@@ -1,5 +1,5 @@
 // Budgets of time, on a counted clock, so that each run is the same.
-#include "haptics/tool/field_sampling.h"
+#include "haptics/tool/field_sampling/field_sampler.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 

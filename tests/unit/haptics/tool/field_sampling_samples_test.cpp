@@ -1,5 +1,7 @@
 #include "haptics/math/rotation.h"
-#include "haptics/tool/field_sampling.h"
+#include "haptics/tool/field_sampling/field_sampler.h"
+#include "haptics/tool/field_sampling/field_sampling_settings.h"
+#include "haptics/tool/field_sampling/field_sweep.h"
 #include "tests/support/bad_numbers.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/hard_meshes.h"

@@ -1,6 +1,5 @@
-#include "haptics/tool/field_sampling.h"
-
 #include "haptics/math/rotation.h"
+#include "haptics/tool/field_sampling/field_sampler.h"
 #include "tests/support/edited_meshes.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/hard_meshes.h"
