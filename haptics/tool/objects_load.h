@@ -8,7 +8,7 @@
 
 #include "haptics/tool/sampling_load.h"
 #include "haptics/tool/step_time.h"
-#include "haptics/tool/voxel_sampling.h"
+#include "haptics/tool/voxel_sampling/voxel_sampling.h"
 
 #include <span>
 

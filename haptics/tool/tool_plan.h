@@ -14,8 +14,8 @@
 // Thread: load path.
 #pragma once
 
-#include "haptics/tool/god_object_tool.h"
-#include "haptics/tool/implicit_penalty.h"
+#include "haptics/tool/god_object/god_object_tool.h"
+#include "haptics/tool/implicit_penalty/implicit_penalty.h"
 #include "haptics/tool/voxel_tool.h"
 
 #include <memory>

@@ -31,9 +31,9 @@
 
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/loads.h"
-#include "haptics/tool/field_load.h"
+#include "haptics/tool/field_sampling/field_load.h"
 #include "haptics/tool/tool_solver.h"
-#include "haptics/tool/voxel_sampling.h"
+#include "haptics/tool/voxel_sampling/voxel_sampling.h"
 
 #include <vector>
 

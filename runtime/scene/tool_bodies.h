@@ -11,8 +11,8 @@
 #pragma once
 
 #include "haptics/tool/field_sampling/field_sampler.h"
-#include "haptics/tool/god_surface.h"
-#include "haptics/tool/level_contacts.h"
+#include "haptics/tool/god_object/god_surface.h"
+#include "haptics/tool/implicit_penalty/level_contacts.h"
 #include "haptics/voxel/voxel_grid.h"
 #include "runtime/scene/plan.h"
 #include "runtime/scene/tool_body_list.h"

@@ -3,7 +3,7 @@
 
 #include "haptics/continuous/nearest_features.h"
 #include "haptics/geometry/shape.h"
-#include "haptics/tool/god_object_tool.h"
+#include "haptics/tool/god_object/god_object_tool.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 //   hand    900 ms: down from 8 mm above to a bite (0 to 200), sideways and back grinding over the teeth (200 to 700), up again
 #pragma once
 
-#include "haptics/tool/implicit_penalty.h"
+#include "haptics/tool/implicit_penalty/implicit_penalty.h"
 
 #include <vector>
 

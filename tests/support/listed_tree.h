@@ -5,7 +5,7 @@
 // larger number of voxels" at depth 1).
 #pragma once
 
-#include "haptics/tool/voxel_sampling.h"
+#include "haptics/tool/voxel_sampling/voxel_sampling.h"
 
 #include <memory>
 #include <vector>

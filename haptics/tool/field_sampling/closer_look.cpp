@@ -1,7 +1,7 @@
 #include "haptics/tool/field_sampling/closer_look.h"
 
 #include "haptics/math/length.h"
-#include "haptics/tool/rank_cut.h"
+#include "haptics/tool/field_sampling/rank_cut.h"
 
 #include <algorithm>
 #include <cmath>

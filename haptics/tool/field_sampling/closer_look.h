@@ -12,8 +12,8 @@
 #pragma once
 
 #include "haptics/tool/field_sampling/sample_units.h"
+#include "haptics/tool/field_sampling/seen_samples.h"
 #include "haptics/tool/field_sampling/timed_look.h"
-#include "haptics/tool/seen_samples.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "haptics/tool/field_sampling/deepest_look.h"
 
-#include "haptics/tool/rank_cut.h"
+#include "haptics/tool/field_sampling/rank_cut.h"
 
 #include <algorithm>
 

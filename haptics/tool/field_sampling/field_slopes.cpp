@@ -1,7 +1,7 @@
 #include "haptics/tool/field_sampling/field_slopes.h"
 
 #include "haptics/math/turned_slopes.h"
-#include "haptics/tool/slope_sum.h"
+#include "haptics/tool/field_sampling/slope_sum.h"
 
 #include <array>
 #include <bit>

@@ -1,7 +1,7 @@
 // What the accuracy of touch with a tool costs: voxels, points, precision, the tree's depth and budgets of time against the error of
 // force and torque, where these are known (accuracy_scenes.h).
 #include "haptics/tool/field_sampling/field_sampler.h"
-#include "haptics/tool/voxel_sampling.h"
+#include "haptics/tool/voxel_sampling/voxel_sampling.h"
 #include "haptics/voxel/voxelise.h"
 #include "tests/bench/curves/accuracy_scenes.h"
 #include "tests/bench/harness/curve.h"

@@ -2,7 +2,7 @@
 // double precision one after the other.
 #include "tests/bench/curves/field_points.h"
 
-#include "haptics/tool/slope_sum.h"
+#include "haptics/tool/field_sampling/slope_sum.h"
 #include "haptics/voxel/distance_field_batch.h"
 #include "tests/bench/harness/curve.h"
 

@@ -3,7 +3,7 @@
 #include "haptics/math/rotation.h"
 #include "haptics/math/spatial.h"
 #include "haptics/math/split_mix.h"
-#include "haptics/tool/god_force.h"
+#include "haptics/tool/god_object/god_force.h"
 #include "tests/bench/harness/curve.h"
 
 namespace fulcrum::bench {

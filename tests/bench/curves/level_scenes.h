@@ -3,8 +3,8 @@
 
 #include "haptics/base/error.h"
 #include "haptics/geometry/triangle_mesh.h"
-#include "haptics/tool/contact_clusters.h"
-#include "haptics/tool/level_contacts.h"
+#include "haptics/tool/implicit_penalty/contact_clusters.h"
+#include "haptics/tool/implicit_penalty/level_contacts.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // Voxel sampling against what the machine can do at all: carrying the points into the map and reading a byte for each.
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
-#include "haptics/tool/voxel_sampling.h"
+#include "haptics/tool/voxel_sampling/voxel_sampling.h"
 #include "haptics/voxel/voxelise.h"
 #include "tests/bench/harness/curve.h"
 

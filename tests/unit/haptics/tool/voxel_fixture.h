@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/math/rotation.h"
-#include "haptics/tool/voxel_sampling.h"
+#include "haptics/tool/voxel_sampling/voxel_sampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What the kernels sum (distance_field_batch.h), in every version that the processor has: forces, and how they change along slopes.
 #include "haptics/voxel/distance_field_batch.h"
 
-#include "haptics/tool/slope_sum.h"
+#include "haptics/tool/field_sampling/slope_sum.h"
 #include "tests/support/field_parts.h"
 #include "tests/support/wander.h"
 
