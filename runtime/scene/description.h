@@ -275,7 +275,7 @@ inline constexpr std::int32_t kMostTries = 20;
 struct LessonDescription {
     std::string id;
     std::string title;
-    std::string level;                    ///< one of kEnglishLevels
+    std::string level = "A1";             ///< one of kEnglishLevels
     double minutes = 10;                  ///< planned length
     std::optional<double> force_limit_N;  ///< the lesson wants no more, 0.5 to 10
     bool free_english = false;  ///< what no template of a question takes is checked for its form

@@ -38,6 +38,12 @@ void take_fields(const std::tuple<Fields...>& list, const Arguments& arguments, 
             kept = told.vector;
         } else if constexpr (std::is_same_v<Kept, std::string>) {
             kept = told.text;
+        } else if constexpr (std::is_same_v<Kept, std::vector<std::string>>) {
+            kept = told.texts;
+        } else if constexpr (std::is_same_v<Kept, std::decay_t<decltype(told.lists)>>) {
+            kept = told.lists;
+        } else if constexpr (std::is_same_v<Kept, std::decay_t<decltype(told.values)>>) {
+            kept = told.values;
         } else if constexpr (std::is_enum_v<Kept>) {
             kept = static_cast<Kept>(find_choice(row.choices, told.text));
         } else {

@@ -6,8 +6,35 @@
 
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace fulcrum::runtime::wire {
+
+using TextPairs = std::vector<std::pair<std::string, std::string>>;
+using TextLists = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+template <class Archive, class Texts>
+void texts(Archive& a, const char* what, Texts& values) {
+    a.list(what, values, kMaxListItems,
+           [what](auto& each, auto& value) { each.text(what, value, kMaxTextBytes); });
+}
+
+template <class Archive, class Pairs>
+void pairs(Archive& a, const char* what, Pairs& values) {
+    a.list(what, values, kMaxListItems, [what](auto& each, auto& value) {
+        each.text(what, value.first, kMaxNameBytes);
+        each.text(what, value.second, kMaxTextBytes);
+    });
+}
+
+template <class Archive, class Lists>
+void lists(Archive& a, const char* what, Lists& values) {
+    a.list(what, values, kMaxListItems, [](auto& each, auto& value) {
+        each.name("a list's name", value.first);
+        texts(each, "a list", value.second);
+    });
+}
 
 /// All that the list keeps, within its range or as it is where nothing was said of it.
 template <class Archive, class... Fields, class Owner>
@@ -28,6 +55,12 @@ void fields(Archive& a, const std::string& whose, const std::tuple<Fields...>& l
             } else {
                 a.text(what, value, static_cast<std::size_t>(field.most()));
             }
+        } else if constexpr (std::is_same_v<Kept, std::vector<std::string>>) {
+            texts(a, what, value);
+        } else if constexpr (std::is_same_v<Kept, TextPairs>) {
+            pairs(a, what, value);
+        } else if constexpr (std::is_same_v<Kept, TextLists>) {
+            lists(a, what, value);
         } else if constexpr (std::is_enum_v<Kept>) {
             a.choice(what, value, static_cast<Kept>(count_choices(field.row.choices) - 1));
         } else if constexpr (std::is_integral_v<Kept>) {

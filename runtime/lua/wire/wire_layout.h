@@ -52,17 +52,11 @@ void force(Archive& a, Force& f) {
 
 template <class Archive, class Description>
 void description(Archive& a, Description& d) {
-    a.name("the lesson's id", d.id);
-    a.text("the title", d.title, kMostTitleBytes);
-    a.text("the level", d.level, kMostLevelBytes);
-    a.number("the minutes", d.minutes, 0.0, kMostMinutes);
+    fields(a, "the lesson", fields::kLesson, d);
     optional(a, "a limit of force", d.force_limit_N, [](auto& each, auto& limit) {
         each.number("a limit of force", limit, kLeastForceLimit_N, kMostForceLimit_N);
     });
-    a.flag("free English", d.free_english);
     ladder(a, d.feedback);
-    a.integer("the tries", d.tries, 1, kMostTries);
-    a.number("the sureness", d.sureness, 0.0, 1.0);
     fields(a, "the scene", fields::kGravity, d);
     fields(a, "the ground", fields::kGround, d);
     fields(a, "the contacts", fields::kContacts, d.contacts);

@@ -1,4 +1,6 @@
 // Field lists: of every one its defaults, and what the wire lets through and refuses.
+#include "runtime/effect/asking/lesson_fields.h"
+#include "runtime/effect/asking/question_fields.h"
 #include "runtime/effect/body/body_fields.h"
 #include "runtime/effect/catch/bucket_fields.h"
 #include "runtime/effect/field/field_fields.h"
@@ -26,6 +28,11 @@ namespace {
 template <class Visit>
 void for_each_list(Visit&& visit) {
     fields::for_each_force([&](const auto& force) { visit(force.name, force.list, FieldPlan{}); });
+    visit("lesson", fields::kLesson, LessonDescription{});
+    visit("question", fields::kQuestion, QuestionDescription{});
+    visit("knows", fields::kKnowledge, KnowledgeDescription{});
+    visit("test", fields::kTest, LessonTestDescription{});
+    visit("learner", fields::kRates, LearnerRates{});
     visit("gravity", fields::kGravity, LessonDescription{});
     visit("ground", fields::kGround, LessonDescription{});
     visit("camera", fields::kCamera, CameraDescription{});
@@ -61,6 +68,8 @@ bool stands_for(const Parameter& row, double kept_per_unit, const Kept& kept) {
                kept == kept_per_unit * Vector3(x, y, z);
     } else if constexpr (std::is_enum_v<Kept>) {
         return find_choice(row.choices, text) == static_cast<std::size_t>(kept);
+    } else if constexpr (!std::is_arithmetic_v<Kept>) {
+        return text == "{}" && kept.empty();
     } else {
         // A default of whole degrees may stand for one of round radians.
         return std::abs(kept_per_unit * std::strtod(row.fallback, nullptr) -
