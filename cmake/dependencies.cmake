@@ -21,9 +21,31 @@ target_link_libraries(pocketsphinx::pocketsphinx INTERFACE pocketsphinx sphinxba
 # Opened while running, where a lesson calls for it (dialogue/checking/link_grammar).
 pkg_check_modules(link_grammar REQUIRED link-grammar)
 pkg_check_modules(hidapi REQUIRED IMPORTED_TARGET hidapi-hidraw)
-pkg_check_modules(openal REQUIRED IMPORTED_TARGET openal)
 pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
 pkg_check_modules(png REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(jpeg REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.4-c++)
+
+# fulcrum_part(OPTION text FOLDER folder INSTEAD folder): a part that a build can go without, and all that knows its vendor. Where the
+# option is off, INSTEAD is compiled, the same functions without the vendor: they say in a sentence what the build does not have. Tests
+# mirror both folders. FULCRUM_LEFT_OUT has, as regular expressions, what is not compiled; FULCRUM_INSTEADS what stands for something.
+set(FULCRUM_LEFT_OUT)
+set(FULCRUM_INSTEADS)
+macro(fulcrum_part option text)
+  cmake_parse_arguments(part "" "" "FOLDER;INSTEAD" ${ARGN})
+  option(${option} "${text}" ON)
+  if(${option})
+    list(TRANSFORM part_INSTEAD APPEND "/" OUTPUT_VARIABLE part_left_out)
+    list(APPEND FULCRUM_INSTEADS ${part_INSTEAD})
+  else()
+    list(TRANSFORM part_FOLDER APPEND "/" OUTPUT_VARIABLE part_left_out)
+  endif()
+  list(APPEND FULCRUM_LEFT_OUT ${part_left_out})
+endmacro()
+
+fulcrum_part(FULCRUM_SOUND "sounds, voices and microphones, by OpenAL" FOLDER runtime/audio/openal INSTEAD runtime/audio/no_openal)
+if(FULCRUM_SOUND)
+  pkg_check_modules(openal REQUIRED IMPORTED_TARGET openal)
+  set(FULCRUM_SOUND_VENDORS PkgConfig::openal)
+endif()

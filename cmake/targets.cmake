@@ -10,6 +10,14 @@ target_precompile_headers(fulcrum_pch PRIVATE <algorithm> <array> <atomic> <char
                           <set> <span> <sstream> <string> <string_view> <system_error> <thread> <tl/expected.hpp>
                           <unordered_map> <utility> <variant> <vector> <haptics/math/rotation.h> <haptics/base/error.h>)
 
+# fulcrum_leave_out(LIST): without the sources of parts that this build does not have (dependencies.cmake).
+function(fulcrum_leave_out list)
+  foreach(pattern IN LISTS FULCRUM_LEFT_OUT)
+    list(FILTER ${list} EXCLUDE REGEX "/${pattern}")
+  endforeach()
+  set(${list} ${${list}} PARENT_SCOPE)
+endfunction()
+
 # fulcrum_library(NAME folder [DEPENDS ...]): one static library from every .cpp under folder (tests live elsewhere),
 # with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries; APART: see join_sources.cmake.
 # FAST: what runs in haptic rounds and for each picture. The others wait for a person or a file anyway, and compile in three
@@ -20,6 +28,7 @@ function(fulcrum_library name folder)
   foreach(pattern IN LISTS arg_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX "/${folder}/${pattern}")
   endforeach()
+  fulcrum_leave_out(sources)
   if(sources)
     add_library(fulcrum_${name} STATIC ${sources})
     target_link_libraries(fulcrum_${name} PUBLIC fulcrum_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
@@ -66,6 +75,7 @@ function(fulcrum_tests name folder)
     set(glob GLOB)
   endif()
   file(${glob} sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
+  fulcrum_leave_out(sources)
   if(NOT sources)
     return()
   endif()

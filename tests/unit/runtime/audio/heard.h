@@ -1,7 +1,6 @@
-// What is heard, in numbers: loudness, steps and lines of a sound; and a player whose sound is taken out by hand.
+// What is heard, in numbers: loudness, steps and lines of a sound.
 #pragma once
 
-#include "runtime/audio/openal/openal_player.h"
 #include "runtime/audio/waveform.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <memory>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -80,31 +78,6 @@ inline double strongest_Hz(Sound sound, double from_Hz, double to_Hz) {
         most = std::max(most, amplitude);
     }
     return best_Hz;
-}
-
-inline std::unique_ptr<LoopbackPlayer> open_loopback(const SoundSettings& settings = {}) {
-    auto player = open_openal_loopback(settings);
-    REQUIRE(player.has_value());
-    return std::move(*player);
-}
-
-/// Renders `n` frames of 10 ms, both channels, with an update before each.
-inline std::vector<float> run(LoopbackPlayer& player, int n) {
-    std::vector<float> all;
-    for (int i = 0; i < n; ++i) {
-        player.update(kFrame_s);
-        const auto part = player.render(kFrame);
-        all.insert(all.end(), part.begin(), part.end());
-    }
-    return all;
-}
-
-inline std::vector<float> left_of(Sound both) {
-    std::vector<float> left;
-    for (std::size_t i = 0; i < both.size(); i += 2) {
-        left.push_back(both[i]);
-    }
-    return left;
 }
 
 }  // namespace fulcrum::runtime::test

@@ -5,6 +5,7 @@
 #include "haptics/loop/haptic_loop.h"
 #include "tests/support/scripted_device.h"
 #include "tests/unit/runtime/audio/heard.h"
+#include "tests/unit/runtime/audio/stroked.h"
 #include "tests/unit/runtime/rig.h"
 
 using namespace fulcrum::runtime::test;
@@ -120,16 +121,6 @@ std::vector<float> hear(const Stroke& stroke, double seconds, TapTone tone = {},
         sound.render(std::span(heard).subspan(at, piece_samples));
     }
     return heard;
-}
-
-/// A stroke of 100 Hz that has no beginning.
-TouchSample make_stroked(double time_s) {
-    TouchSample sample;
-    sample.time_s = time_s;
-    sample.solid = 0;
-    sample.normal_force_N = static_cast<float>(kForce_N);
-    sample.texture_height_m = static_cast<float>(2e-5 * std::sin(2.0 * kPi * 100.0 * time_s));
-    return sample;
 }
 
 }  // namespace
@@ -324,24 +315,4 @@ TEST_CASE("touch sound: the next touch after a long rest is heard in time") {
         most = std::max(most, loudest(heard));
     }
     CHECK(most > 0.1F);
-}
-
-TEST_CASE("touch sound: through OpenAL the line stays where it is") {
-    const auto player = open_loopback({{"click"}, false, 1.0});
-    auto ring = std::make_unique<TouchRing>();
-    TouchSound sound(*ring, {TapTone{}}, kRound_s);
-    player->set_stream(&sound);
-    std::vector<float> heard;
-    for (int piece_number = 0; piece_number < 150; ++piece_number) {
-        for (int i = 0; i < 10; ++i) {
-            (void)ring->push(make_stroked((10 * piece_number + i) * kRound_s));
-        }
-        const auto part = left_of(run(*player, 1));
-        heard.insert(heard.end(), part.begin(), part.end());
-    }
-    player->set_stream(nullptr);
-    const auto steady = piece(heard, 0.4, 1.4);
-    CHECK(strongest_Hz(steady, 20.0, 500.0) == Approx(100.0).margin(1.0));
-    CHECK(line(steady, 100.0) > 0.03);
-    CHECK(line(steady, 150.0) < 0.01 * line(steady, 100.0));
 }

@@ -2,7 +2,9 @@
 #include "runtime/audio/openal/openal_player.h"
 #include "runtime/audio/openal/openal_stream.h"
 #include "runtime/audio/synthesis.h"
-#include "tests/unit/runtime/audio/heard.h"
+#include "runtime/audio/touch_sound.h"
+#include "tests/unit/runtime/audio/openal/loopback.h"
+#include "tests/unit/runtime/audio/stroked.h"
 #include "tests/unit/runtime/rig.h"
 
 #include <atomic>
@@ -252,4 +254,25 @@ TEST_CASE("stream: the null player knows it and asks for nothing") {
     (*player)->update(0.01);
     CHECK((*player)->stream() == &tone);
     CHECK(tone.made == 0);
+}
+
+TEST_CASE("touch sound: through OpenAL the line stays where it is") {
+    constexpr double kRound_s = 1e-3;
+    const auto player = open_loopback({{"click"}, false, 1.0});
+    auto ring = std::make_unique<TouchRing>();
+    TouchSound sound(*ring, {TapTone{}}, kRound_s);
+    player->set_stream(&sound);
+    std::vector<float> heard;
+    for (int piece_number = 0; piece_number < 150; ++piece_number) {
+        for (int i = 0; i < 10; ++i) {
+            (void)ring->push(make_stroked((10 * piece_number + i) * kRound_s));
+        }
+        const auto part = left_of(run(*player, 1));
+        heard.insert(heard.end(), part.begin(), part.end());
+    }
+    player->set_stream(nullptr);
+    const auto steady = piece(heard, 0.4, 1.4);
+    CHECK(strongest_Hz(steady, 20.0, 500.0) == Approx(100.0).margin(1.0));
+    CHECK(line(steady, 100.0) > 0.03);
+    CHECK(line(steady, 150.0) < 0.01 * line(steady, 100.0));
 }
