@@ -20,7 +20,6 @@ endforeach()
 target_link_libraries(pocketsphinx::pocketsphinx INTERFACE pocketsphinx sphinxbase)
 # Opened while running, where a lesson calls for it (dialogue/checking/link_grammar).
 pkg_check_modules(link_grammar REQUIRED link-grammar)
-pkg_check_modules(hidapi REQUIRED IMPORTED_TARGET hidapi-hidraw)
 pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
 pkg_check_modules(png REQUIRED IMPORTED_TARGET libpng)
@@ -48,4 +47,9 @@ fulcrum_part(FULCRUM_SOUND "sounds, voices and microphones, by OpenAL" FOLDER ru
 if(FULCRUM_SOUND)
   pkg_check_modules(openal REQUIRED IMPORTED_TARGET openal)
   set(FULCRUM_SOUND_VENDORS PkgConfig::openal)
+endif()
+
+fulcrum_part(FULCRUM_HID "SpaceMice and joysticks, by hidapi" FOLDER haptics/device/hid/hidapi INSTEAD haptics/device/hid/no_hidapi)
+if(FULCRUM_HID)
+  pkg_check_modules(hidapi REQUIRED IMPORTED_TARGET hidapi-hidraw)
 endif()

@@ -317,9 +317,13 @@ int report_command(const Options& options) {
 }
 
 int devices_command(const Options& options) {
-    const auto entries = list_devices(hid::make_hidapi_bus()->list(), display_available());
+    const auto bus = hid::make_hidapi_bus();
+    const auto entries = list_devices(bus->list(), display_available());
     const std::string text = options.json ? devices_json(entries) : devices_text(entries);
     std::fputs(text.c_str(), stdout);
+    if (const auto why = bus->why_never()) {
+        std::fprintf(stderr, "%s\n", to_sentence(*why).c_str());
+    }
     return 0;
 }
 

@@ -8,14 +8,14 @@ if(TARGET fulcrum AND TARGET fulcrum_hid_shim)
   foreach(kind cap stick)
     fulcrum_system_test("a HID ${kind} plays, is unplugged in the middle and plays on" hid.sh
                         WITH ${kind} $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_hid_shim> $<TARGET_FILE:fulcrum_virtual_hid>
-                        MAY_SKIP TIMEOUT 180 PROPERTIES ENVIRONMENT ${environment})
+                        MAY_SKIP TIMEOUT 180 NEEDS FULCRUM_HID PROPERTIES ENVIRONMENT ${environment})
   endforeach()
   fulcrum_system_test("a joystick's force is tried once for each learner, and one that pushes the wrong way gives none" stick_fit.sh
                       WITH $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_hid_shim> $<TARGET_FILE:fulcrum_virtual_hid>
-                      REAL_TIME TIMEOUT 180 PROPERTIES ENVIRONMENT ${environment})
+                      REAL_TIME TIMEOUT 180 NEEDS FULCRUM_HID PROPERTIES ENVIRONMENT ${environment})
   fulcrum_system_test("udev is told which devices can be a hand, whatever their bus" is_hand.sh
                       WITH $<TARGET_FILE:fulcrum-is-hand> TIMEOUT 30)
   fulcrum_system_test("devices are listed through udev, with what is missing" devices.sh
                       WITH $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_hid_shim> $<TARGET_FILE:fulcrum_virtual_hid>
-                      MAY_SKIP TIMEOUT 120 PROPERTIES ENVIRONMENT ${environment})
+                      MAY_SKIP TIMEOUT 120 NEEDS FULCRUM_HID PROPERTIES ENVIRONMENT ${environment})
 endif()

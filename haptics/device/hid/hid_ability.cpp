@@ -117,6 +117,9 @@ std::string call(const HidNode& node) {
 }
 
 Expected<HidNode> choose_hand(HidBus& bus, const std::string& path) {
+    if (auto why = bus.why_never()) {
+        return tl::unexpected(std::move(*why));
+    }
     if (!path.empty()) {
         return bus.look(path).and_then([](HidNode&& node) -> Expected<HidNode> {
             if (!node.may_open) {

@@ -1,5 +1,5 @@
-// The way to HID devices: which there are, and one that was opened. Behind it stands hidapi (hidapi/hidapi_bus.h), or in tests a
-// device of memory.
+// The way to HID devices: which there are, and one that was opened. Behind it stands hidapi (hidapi/hidapi_bus.h), nothing where that
+// is left out (no_hidapi/), or in tests a device of memory.
 //
 // Thread: a bus by any thread at any time; a link by one thread at a time. `list`, `look` and `open` take milliseconds.
 #pragma once
@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,6 +53,8 @@ class HidBus {
     HidBus& operator=(const HidBus&) = delete;
     virtual ~HidBus() = default;
 
+    /// Why there is never any, where this build leaves them out.
+    [[nodiscard]] virtual std::optional<Error> why_never() const { return std::nullopt; }
     /// All HID devices that the system knows, also those that may not be opened.
     [[nodiscard]] virtual std::vector<HidNode> list() = 0;
     /// What stands at this path now. Says why there is nothing, or nothing that may be opened.
