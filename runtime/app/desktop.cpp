@@ -1,6 +1,7 @@
 #include "runtime/app/desktop.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/speech/speech_parts.h"
 #include "runtime/audio/open_sound_player.h"
 
 #include <algorithm>
@@ -56,7 +57,12 @@ Expected<Desktop> Desktop::open(const Places& places, bool with_sound, const Voi
         std::fprintf(stderr, "%s\n", sound->notice.c_str());
     }
     desktop.sound = std::move(sound->player);
-    if (voice.kind != VoiceKind::none && desktop.sound->audible()) {
+    if (voice.kind == VoiceKind::none || !desktop.sound->audible()) {
+        return desktop;
+    }
+    if (const auto why = why_no_voice()) {
+        std::fprintf(stderr, "%s\n", to_sentence(*why).c_str());
+    } else {
         desktop.voice = std::make_unique<SpokenVoice>(voice, *desktop.sound);
     }
     return desktop;

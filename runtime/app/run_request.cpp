@@ -3,6 +3,7 @@
 #include "haptics/device/replay/recorded_traits.h"
 #include "haptics/record/record_reader.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/speech/speech_parts.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/progress/store.h"
 
@@ -100,6 +101,11 @@ Expected<void> choose_hearing(const Places& places, const Options& options, RunR
         return fail(
             std::string(options.hear.empty() ? "--sure" : "--hear") + " without somebody who hears",
             "", "add --speech sphinx, or --speech exec:COMMAND");
+    }
+    if (options.speech == SpeechInput::sphinx) {
+        if (auto why = why_no_sphinx()) {
+            return tl::unexpected(std::move(*why));
+        }
     }
     HearingOrder& hearing = request.plan.hearing;
     hearing.listen = options.listen;

@@ -1,9 +1,12 @@
-// A question that is asked where hearing is tested, and how a program is written in one line.
+// A question that is asked where hearing is tested, and how a program is written in one line and begun.
 #pragma once
 
 #include "dialogue/marking/question.h"
+#include "runtime/hearing/external_recogniser.h"
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::runtime::test {
@@ -19,6 +22,11 @@ inline dialogue::Question make_question() {
 
 inline std::vector<std::string> shell(const std::string& script) {
     return {"sh", "-c", script};
+}
+
+inline std::unique_ptr<ExternalRecogniser> start(std::vector<std::string> words,
+                                                 std::vector<std::string> recordings = {}) {
+    return ExternalRecogniser::create({std::move(words), std::move(recordings), true}).value();
 }
 
 }  // namespace fulcrum::runtime::test

@@ -92,19 +92,6 @@ TEST_CASE("spoken: how small a learner's throat is is kept with the learner, and
     CHECK(setting(2, "throat") == "1.35");
 }
 
-TEST_CASE("spoken: without what hears there is one sentence, and the lesson goes on by typing") {
-    const Sandbox sandbox;
-    const ProgramRun run = sandbox.run("run gravity --headless --speech exec:no_such_program_5");
-    CAPTURE(run.output);
-    check_run(run, 0,
-              {"Nobody hears any more: the program /bin/sh has ended; type the answers.",
-               "gravity: finished after"});
-    check_run(sandbox.run("run gravity --headless --hear said.txt"), 2,
-              {"--hear without somebody who hears"});
-    check_run(sandbox.run("run gravity --headless --sure 0.5"), 2,
-              {"--sure without somebody who hears; add --speech sphinx"});
-}
-
 TEST_CASE("spoken: how sure one must be to have heard is a knob, from all that fits to nothing") {
     const Sandbox sandbox;
     const std::string play = "run gravity --headless --speech sphinx --seconds 40 --hear " +
