@@ -49,6 +49,10 @@ void check_is_tone(const std::vector<float>& heard) {
 
 }  // namespace
 
+TEST_CASE("openal: a name that is not known at opening is an error") {
+    CHECK_FALSE(open_openal_loopback({{"click", "moo"}, true, 1.0}));
+}
+
 TEST_CASE("openal: two players asked the same render the same bytes") {
     const auto session = [] {
         auto player = open_loopback();

@@ -168,6 +168,11 @@ TEST_CASE(
     REQUIRE_FALSE(opened);
     CHECK(opened.error().message == "this is no HID device");
     CHECK(is_refused(desk.bus->look(desk.at("none.hid")), "No such file"));
+    const auto nowhere = desk.bus->look("/nowhere/hidraw0");
+    REQUIRE_FALSE(nowhere);
+    CHECK(to_sentence(nowhere.error()) ==
+          "/nowhere/hidraw0: there is no device to be opened: No such file or directory; fulcrum "
+          "devices lists what is there.");
 
     const HidSocket socket(desk.cap(), std::make_shared<QuietHid>());
     setenv("FULCRUM_HID_FORBIDDEN", "cap.hid", 1);
