@@ -85,8 +85,11 @@ void BodyStage::take_frame(double now_s) noexcept {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Body& body = bodies_[i];
         const RigidSolid& told = frame.solids[body.plan.solid];
-        const bool is_put = !body.is_known || told.n_placements != body.told.n_placements ||
-                            told.is_present != body.told.is_present;
+        const bool is_placed = told.n_placements != body.told.n_placements;
+        const bool is_put = !body.is_known || is_placed || told.is_present != body.told.is_present;
+        if (is_placed && i == held_) {
+            putting_ = putting_ == Putting::asked ? Putting::done : Putting::wanted;
+        }
         body.is_known = true;
         body.told = told;
         const Pose ahead_W = predict(told, now_s);
@@ -96,7 +99,6 @@ void BodyStage::take_frame(double now_s) noexcept {
             body.shift_W.setZero();
             body.turn_W.setZero();
             put_ |= i == held_ ? 0U : 1U << body.plan.solid;
-            puts_ = puts_ && i != held_;
             if (grip_.solid >= 0 && grip_.body == i) {
                 grip_ = {};
             }
@@ -151,9 +153,9 @@ void BodyStage::begin_grip(const ProxyContact& contact, const GrippingHand& hand
 // Of what is held all the time.
 void BodyStage::hold_on(const GrippingHand& hand) noexcept {
     const Body& body = bodies_[held_];
-    hand_W_ = hand.pose_W;
+    hand_ = hand;
     grip_.force = {};
-    if (!body.is_known || !body.told.is_present || puts_) {
+    if (!body.is_known || !body.told.is_present || putting_ != Putting::done) {
         grip_ = {};
         return;
     }
@@ -251,6 +253,17 @@ void BodyStage::publish() noexcept {
     }
 }
 
+void BodyStage::tell_put() noexcept {
+    if (!hand_.is_there) {
+        return;
+    }
+    (void)add_hold(bodies_[held_]);
+    RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count - 1)];
+    told.pose_W = hand_.pose_W;
+    told.puts = true;
+    putting_ = putting_ == Putting::wanted ? Putting::asked : putting_;
+}
+
 void BodyStage::tell_grip(double most_N) noexcept {
     const Body& body = bodies_[grip_.body];
     const MostFelt most{most_N, most_N * std::sqrt(body.plan.moment_kg_m2 / body.plan.mass_kg)};
@@ -280,12 +293,8 @@ void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double n
         add_push(body, {.force_N = share * touch_N + spare_N},
                  compute_solid_push(contact, solid, hand.force_W, cursor_m_));
     }
-    if (held_ != kNothingHeld && puts_) {
-        const Body& body = bodies_[held_];
-        (void)add_hold(body);
-        RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count - 1)];
-        told.pose_W = hand_W_;
-        told.puts = true;
+    if (held_ != kNothingHeld && putting_ != Putting::done) {
+        tell_put();
     } else if (grip_.solid >= 0 && grip_.holds) {
         tell_grip(held_ == kNothingHeld ? share * grip_N + spare_N : most_held_N_);
     }

@@ -17,7 +17,8 @@
 // when its body is put elsewhere or taken out, and when the hand's motion begins anew; a closed gate holds nothing.
 //
 // What is held all the time, a bucket, is gripped by its origin and turned as the hand is, with as much force as the hand may ever feel, also
-// while the gate is shut: then the hand feels nothing of it. Where the hand's motion begins it is put there at once, with all that lies in it left behind.
+// while the gate is shut: then the hand feels nothing of it. Where the hand's motion begins it is put there at once, with all that lies in it left behind:
+// not where a reading alone jumps to, nor before there is one, and again where the hand's motion began anew before the world had answered.
 //
 // Thread: haptic loop. Cost: 60 ns a body, and the copy of the pushes. No allocation in a step.
 // Source: a prediction by the newest velocity as in dead reckoning (IEEE 1278.1, distributed simulation); k_r gives turning the period of
@@ -41,7 +42,8 @@ struct GrippingHand {
     Pose pose_W{};
     Twist twist_W{};
     std::uint32_t buttons = 0;
-    bool feels = true;  ///< the gate lets something through
+    bool feels = true;     ///< the gate lets something through
+    bool is_there = true;  ///< its place is known, and no jump
 };
 
 /// What a grip gives it.
@@ -67,7 +69,9 @@ class BodyStage {
     /// Ends it; what is held all the time is put to the hand again.
     void let_go() noexcept {
         grip_ = {};
-        puts_ = true;
+        putting_ = putting_ == Putting::asked || putting_ == Putting::asked_elsewhere
+                       ? Putting::asked_elsewhere
+                       : Putting::wanted;
     }
     /// Last: tells the world how the hand pushes, with a point, or with a tool: one push a solid of the plan.
     void push(const ProxyContact& contact, const HandPush& hand, double now_s) noexcept;
@@ -105,11 +109,14 @@ class BodyStage {
         BodyHold hold{};
         bool holds = false;  // in this round
     };
+    // Of what is held all the time, to the hand: the world answers by a placement.
+    enum class Putting : std::uint8_t { done, wanted, asked, asked_elsewhere };
     [[nodiscard]] Pose predict(const RigidSolid& told, double now_s) const noexcept;
     [[nodiscard]] Pose find_pose(const Body& body, double now_s, double left_s) const noexcept;
     [[nodiscard]] double find_left_s(double now_s) const noexcept;
     [[nodiscard]] bool is_usable(const RigidFrame& frame) const noexcept;
     void take_frame(double now_s) noexcept;
+    void tell_put() noexcept;
     void tell_grip(double most_N) noexcept;
     void hold_on(const GrippingHand& hand) noexcept;
     void feel_grip(const GrippingHand& hand) noexcept;
@@ -132,8 +139,8 @@ class BodyStage {
     static constexpr std::size_t kNothingHeld = SIZE_MAX;
     std::size_t held_ = kNothingHeld;  // all the time
     double most_held_N_ = 0.0;
-    bool puts_ = true;  // it is to be where the hand is
-    Pose hand_W_{};
+    Putting putting_ = Putting::wanted;
+    GrippingHand hand_{};  // in this round
     Grip grip_{};
     HandPushes pushes_{};
 };

@@ -196,9 +196,11 @@ void SceneForces::push_bodies(const SceneRound& round) noexcept {
     // A gate that lets nothing through holds nothing: what a grip asks for would keep it closed.
     const GatePhase phase = round.gate.phase();
     const bool may_grip = phase == GatePhase::open || phase == GatePhase::rising;
-    const GripForce grip =
-        bodies.grip(touch_->contact(), {state.tool_pose_W, state.tool_twist_W,
-                                        may_grip ? state.buttons : std::uint32_t{0}, may_grip});
+    // Nobody's hand jumps: where it is then the next round tells.
+    const bool is_there = round.has_pose && !any(state.faults & Fault::device_invalid);
+    const GripForce grip = bodies.grip(
+        touch_->contact(), {state.tool_pose_W, state.tool_twist_W,
+                            may_grip ? state.buttons : std::uint32_t{0}, may_grip, is_there});
     demand_.wrench_W.force += grip.force_W;
     demand_.force += {grip.spring_W, grip.spring_W};
     round.teller.share(Effect::grip, grip.force_W);
