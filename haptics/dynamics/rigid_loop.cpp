@@ -106,7 +106,7 @@ void RigidLoop::put(std::int32_t body, const Pose& shape_W, const Twist& velocit
 void RigidLoop::hide_carried() noexcept {
     for (std::size_t i = 0; i < told_.size(); ++i) {
         Told& told = told_[i];
-        if (told.is_carried && told.scene_body >= 0) {
+        if ((told.is_carried || told.is_caught) && told.scene_body >= 0) {
             told.is_present = told.is_carried = told.is_caught = false;
             world_->set_present(static_cast<std::int32_t>(i), false);
         }

@@ -62,6 +62,26 @@ TEST_CASE(
     CHECK(balls.seen(3).where == BodyWhere::landed);
 }
 
+TEST_CASE("rigid loop: what is caught is let go as well while it bounces") {
+    CubesLoop balls(make_bucket());
+    balls.order(WorldCommand::Kind::drop, 5, {0.0, 0.5, 0.0});
+    balls.run(1.0);
+    REQUIRE(balls.events().size() == 1);
+    // Thrown up by 6 mm: 70 ms in the air, and still caught.
+    const Vector3 at_W = balls.seen(5).pose_W.position;
+    RigidPush kick = make_push(at_W, at_W, {0.0, 9.0, 0.0});
+    kick.n_placements = balls.felt(2).n_placements;
+    balls.push({kick});
+    balls.run(0.04);
+    balls.push({});
+    balls.run(0.02);
+    REQUIRE(balls.seen(5).velocity_W.norm() > 0.05);
+    REQUIRE(balls.seen(5).where == BodyWhere::held);
+    balls.order(WorldCommand::Kind::release, kNoBody, Vector3::Zero());
+    balls.run(0.002);
+    CHECK(balls.seen(5).where == BodyWhere::hidden);
+}
+
 TEST_CASE(
     "rigid loop: a hand puts what it holds where it is, once, and by no number that is none") {
     CubesLoop cubes;
