@@ -12,6 +12,8 @@ namespace {
 
 // Contacts are known ahead of time; nearer than this is touching.
 constexpr double kTouching_m = 5.0e-4;
+// How far upwards a contact must push to bear: three degrees from level.
+constexpr double kBearing = 0.05;
 
 bool is_touching(const ContactPair& pair) noexcept {
     return pair.meet_s == 0.0 &&
@@ -178,6 +180,12 @@ Wrench RigidLoop::find_push_W(const RigidPush& push, const Vector3& at_W) const 
                 slopes.turn_damping_Nms_per_rad * (moves.angular - push.velocity_W.angular)};
 }
 
+// Where nothing is heavy whatever touches does.
+bool RigidLoop::bears(const ContactPair& pair, bool is_second) const noexcept {
+    const double upwards = pair.manifold.normal_W.dot(up_W_);
+    return is_touching(pair) && (up_W_.isZero(0.0) || (is_second ? -upwards : upwards) >= kBearing);
+}
+
 void RigidLoop::find_touching() noexcept {
     for (Told& told : told_) {
         told.touches = told.is_stopped = told.meets_caught = false;
@@ -211,7 +219,7 @@ void RigidLoop::find_carried() noexcept {
             Told& b = told_[static_cast<std::size_t>(pair.bodies.second)];
             Told& next = a.is_carried ? b : a;
             if (a.is_carried != b.is_carried && !next.stays && !next.is_stopped &&
-                is_touching(pair)) {
+                bears(pair, a.is_carried)) {
                 next.is_carried = is_new = true;
             }
         }

@@ -85,6 +85,8 @@ class RigidLoop final : public PeriodicTask {
     void take_push(const RigidPush& push) noexcept;
     [[nodiscard]] std::int32_t body_of_solid(std::int32_t solid) const noexcept;
     [[nodiscard]] Wrench find_push_W(const RigidPush& push, const Vector3& at_W) const noexcept;
+    /// Whether the pair's first body lies on the second, or the second on the first.
+    [[nodiscard]] bool bears(const ContactPair& pair, bool is_second) const noexcept;
     void find_touching() noexcept;
     void find_carried() noexcept;
     void notice_catches(double now_s, double dt_s) noexcept;
@@ -101,6 +103,7 @@ class RigidLoop final : public PeriodicTask {
     std::vector<std::int32_t> body_of_scene_;  // kMaxBodies
     std::vector<std::int32_t> solids_;
     std::int32_t carrier_;
+    Vector3 up_W_;  // zero where nothing is heavy
     WorldChannels* lesson_;
     std::vector<RigidChannels*> hands_;
     RigidFrame frame_{};

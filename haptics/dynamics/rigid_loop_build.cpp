@@ -62,6 +62,7 @@ RigidLoop::RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> worl
       body_of_scene_(kMaxBodies, kNoBody),
       solids_(plan.solids),
       carrier_(plan.carrier),
+      up_W_(-plan.world.settings.gravity_W.normalized()),
       lesson_(lesson),
       hands_(hands.begin(), hands.end()) {
     for (std::size_t i = 0; i < told_.size(); ++i) {

@@ -62,6 +62,31 @@ TEST_CASE(
     CHECK(balls.seen(3).where == BodyWhere::landed);
 }
 
+TEST_CASE("rigid loop: what the carrier leans against from outside is not caught") {
+    // A cube upon another one, and a hand that presses the bucket's wall against it.
+    RigidLoopPlan plan = make_bucket();
+    plan.world.bodies[1] = plan_cube(0.05, {0.0, 0.05, 0.0}, 0.5);
+    plan.world.bodies[2] = plan_cube(0.05, {0.0, 0.15, 0.0}, 0.5);
+    const Vector3 beside_W(0.157, 0.25, 0.0);
+    plan.world.bodies[3].pose_W = Pose::at(beside_W);
+    plan.world.joints.clear();
+    CubesLoop cubes(plan);
+    RigidPush hold = make_push(beside_W, beside_W, {-4.5, 0.1 * 9.81, 0.0});
+    hold.solid = 3;
+    hold.hold.slopes = {.stiffness_N_per_m = 500.0,
+                        .damping_Ns_per_m = 10.0,
+                        .turn_stiffness_Nm_per_rad = 5.0,
+                        .turn_damping_Nms_per_rad = 0.1};
+    for (int i = 0; i < 50; ++i) {
+        cubes.push({hold});
+        cubes.run(0.01);
+    }
+    // It would be 9 mm nearer were nothing in its way.
+    CHECK(cubes.felt(3).pose_W.position.x() > beside_W.x() - 0.005);
+    CHECK(cubes.seen(5).where != BodyWhere::held);
+    CHECK(cubes.events().empty());
+}
+
 TEST_CASE("rigid loop: what is caught is let go as well while it bounces") {
     CubesLoop balls(make_bucket());
     balls.order(WorldCommand::Kind::drop, 5, {0.0, 0.5, 0.0});
