@@ -236,7 +236,8 @@ void RigidLoop::notice_catches(double now_s, double dt_s) noexcept {
             told.caught_m_per_s = std::max(told.speed_m_per_s, told.earlier_speed_m_per_s);
         }
         told.changing_s += dt_s;
-        if (told.changing_s >= kCaught_s) {
+        const bool may_bounce = told.is_caught && !told.is_stopped;
+        if (told.changing_s >= (may_bounce ? kLost_s : kCaught_s)) {
             told.is_caught = told.is_carried;
             if (told.is_caught && lesson_ != nullptr) {
                 (void)lesson_->events.push(

@@ -10,7 +10,8 @@
 // told, and never the other way.
 // A body has landed when it touches something after it touched nothing for a while.
 // Where a hand holds a carrier, a bucket, those are carried that lie on it or on what is carried, and touch nothing that stays; one that has been
-// carried for kCaught_s is caught, and is not again before it was not carried for as long.
+// carried for kCaught_s is caught, and is not again before it was not carried for
+// as long and touches what stays, or for kLost_s.
 //
 // Thread: `step` on one thread beside the haptic ones (or a virtual clock). Cost: that of RigidWorld::step, and one copy of the snapshot and
 // of each hand's frame. No allocation after construction.
@@ -38,7 +39,10 @@ inline constexpr double kStalePush_s = 0.1;
 /// A body that touches after it touched nothing for so long has landed.
 inline constexpr double kLeastFlight_s = 0.08;
 
+/// What the carrier has carried for so long is caught.
 inline constexpr double kCaught_s = 0.1;
+/// And so long it may be in the air and still be: from the bottom of a bucket of 15 cm to its rim and back.
+inline constexpr double kLost_s = 0.35;
 
 class RigidLoop final : public PeriodicTask {
   public:
