@@ -216,6 +216,23 @@ Expected<void> add_bucket(const LessonDescription& lesson, RigidLoopPlan& rigid,
     return {};
 }
 
+/// Where all that may fall into it weighs more than the hand holds up.
+void tell_bucket_load(const LessonDescription& lesson, double most_N, Plan& plan) {
+    double weight_N = kBucket_kg * lesson.gravity_W.norm();
+    for (const BodyDescription& body : lesson.bodies) {
+        weight_N += body.rigid ? body.mass_kg * lesson.gravity_W.norm() : 0.0;
+    }
+    if (weight_N > kWeightShareOfLimit * most_N) {
+        char text[300];
+        std::snprintf(text, sizeof(text),
+                      "The bucket and all that may fall into it weigh %.2f N, and a hand that may "
+                      "feel %.1f N holds up %.2f N at most: with more it sinks; give the bodies "
+                      "less mass, or let fewer fall (lesson.lua:%d).",
+                      weight_N, most_N, kWeightShareOfLimit * most_N, lesson.bucket.line);
+        plan.notices.emplace_back(text);
+    }
+}
+
 }  // namespace
 
 Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoader& load_solid,
@@ -234,6 +251,9 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoad
     rigid.scene_bodies = {kNoBody};
     const double gravity = lesson.gravity_W.norm();
     const double most_N = std::min(options.site.force_N, options.device_force_limit_N);
+    // A hand that holds a bucket lifts nothing by itself.
+    const double most_lifted_N =
+        lesson.bucket.present ? std::numeric_limits<double>::infinity() : most_N;
     for (std::size_t i = 0; i < plan.haptic.solids.size(); ++i) {
         const SolidPlan& solid = plan.haptic.solids[i];
         const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
@@ -256,7 +276,7 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoad
             rigid.hidden.push_back(index);
         }
         plan.felt_weight_N[static_cast<std::size_t>(solid.body)] = body.mass_kg * gravity;
-        if (auto good = add_touch(body, *simulated, i, most_N, plan, gravity); !good) {
+        if (auto good = add_touch(body, *simulated, i, most_lifted_N, plan, gravity); !good) {
             return good;
         }
     }
@@ -264,6 +284,7 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoad
         if (auto good = add_bucket(lesson, rigid, plan); !good) {
             return good;
         }
+        tell_bucket_load(lesson, most_N, plan);
     }
     if (auto good = add_joints(lesson, rigid); !good) {
         return good;

@@ -66,3 +66,16 @@ TEST_CASE("bucket: what falls beside it lands, and nothing of it is built where 
               {"landed ball_1", "landed ball_2"}, {"caught"});
     check_run(sandbox.run("explain gravity"), 0, {"the tool catches"}, {"the hand holds it"});
 }
+
+TEST_CASE("bucket: what is too heavy for the hand in all is told, and of one thing alone nothing") {
+    const Sandbox sandbox;
+    std::string heavy = kLesson;
+    heavy.replace(heavy.find("mass = 0.1"), 10, "mass = 0.3");
+    sandbox.write("pail/lesson.lua", heavy);
+    // 50 g and two balls of 300 g: 6.38 N.
+    check_run(sandbox.run("explain pail"), 0,
+              {"The bucket and all that may fall into it weigh 6.38 N", "lesson.lua:5"},
+              {"can only be pushed"});
+    sandbox.write("pail/lesson.lua", kLesson);
+    check_run(sandbox.run("explain pail"), 0, {}, {"may fall into it weigh"});
+}

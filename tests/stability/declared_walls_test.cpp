@@ -74,8 +74,9 @@ Worst press_all(const DeclaredWall& as) {
 constexpr double kPressed_N = 0.02;  // the softest wall, 4 mm deep, under dry friction
 // Beyond what the scene gives, most of it the encoder's steps: docs/safety.md, Walls.
 constexpr double kMostExcess_J = 5.0e-4;
-constexpr double kMostExcessSlow_J = 7.0e-4;  // below 1 kHz
-constexpr double kMostExcessFast_J = 3.0e-3;  // at 2 kHz and more
+constexpr double kMostExcessSlow_J = 7.0e-4;   // below 1 kHz
+constexpr double kMostExcessOther_J = 1.2e-3;  // velocity by another method than the usual one
+constexpr double kMostExcessFast_J = 3.0e-3;   // at 2 kHz and more
 constexpr int kLeastWalls = 3 * 15;
 
 void check_all(const DeclaredWall& as) {
@@ -83,9 +84,10 @@ void check_all(const DeclaredWall& as) {
     CAPTURE(as.rate_Hz, as.link_delay_s.value_or(0.0), as.is_dry, worst.excess_J, worst.swing_m,
             worst.n, worst.n_softer);
     CHECK(worst.n >= kLeastWalls);
-    CHECK(worst.excess_J < (as.rate_Hz > 1000.0   ? kMostExcessFast_J
-                            : as.rate_Hz < 1000.0 ? kMostExcessSlow_J
-                                                  : kMostExcess_J));
+    CHECK(worst.excess_J < (as.rate_Hz > 1000.0                              ? kMostExcessFast_J
+                            : as.velocity != VelocityMethod::adaptive_window ? kMostExcessOther_J
+                            : as.rate_Hz < 1000.0                            ? kMostExcessSlow_J
+                                                                             : kMostExcess_J));
     CHECK(worst.least_N > kPressed_N);
 }
 
@@ -98,6 +100,15 @@ TEST_CASE(
         check_all({.rate_Hz = rate_Hz});
     }
     check_all({.is_dry = true});
+}
+
+TEST_CASE("declared walls: each settles by whatever method the hand's speed is found") {
+    for (const VelocityMethod velocity :
+         {VelocityMethod::finite_difference, VelocityMethod::filtered_difference,
+          VelocityMethod::kalman}) {
+        check_all({.velocity = velocity});
+    }
+    check_all({.rate_Hz = kLeastRate_Hz, .velocity = VelocityMethod::kalman});
 }
 
 TEST_CASE("declared walls: each settles in every hand over a link, however long") {

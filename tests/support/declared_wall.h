@@ -27,6 +27,7 @@ struct DeclaredWall {
     double stiffness_N_per_m = 500.0;
     double damping_Ns_per_m = 9.5;
     double rate_Hz = 1000.0;
+    VelocityMethod velocity = VelocityMethod::adaptive_window;
     TriedArm arm = TriedArm::desktop;
     HumanImpedance human = kFingertip;
     std::optional<double> link_delay_s{};  ///< each way; none: the arm is at hand
@@ -55,6 +56,7 @@ inline constexpr double kAboveWall_m = 0.01;
     runtime::LessonDescription lesson;
     lesson.id = lesson.title = "wall";
     lesson.hand.rate_hz = wall.rate_Hz;
+    lesson.hand.velocity = wall.velocity;
     lesson.hand.scale = wall.hand_scale;
     if (wall.is_spring) {
         lesson.forces.push_back({"hold",
