@@ -182,6 +182,39 @@ Expected<void> add_touch(const BodyDescription& body, const RigidBodyPlan& simul
     return {};
 }
 
+/// Each solid of the hand's plan, but what turns on the hand's own hinges.
+Expected<void> add_world_bodies(const LessonDescription& lesson, const SolidLoader& load_solid,
+                                double most_lifted_N, RigidLoopPlan& rigid, Plan& plan) {
+    const double gravity = lesson.gravity_W.norm();
+    for (std::size_t i = 0; i < plan.haptic.solids.size(); ++i) {
+        const SolidPlan& solid = plan.haptic.solids[i];
+        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+        rigid.solids.push_back(kNoBody);
+        if (body.hinge) {
+            continue;
+        }
+        const auto simulated = make_world_body(lesson, solid, load_solid);
+        if (!simulated) {
+            return tl::unexpected(simulated.error());
+        }
+        const auto index = static_cast<std::int32_t>(rigid.world.bodies.size());
+        rigid.world.bodies.push_back(*simulated);
+        rigid.scene_bodies.push_back(body.rigid ? solid.body : kNoBody);
+        if (!body.rigid) {
+            continue;
+        }
+        rigid.solids.back() = index;
+        if (!body.visible) {
+            rigid.hidden.push_back(index);
+        }
+        plan.felt_weight_N[static_cast<std::size_t>(solid.body)] = body.mass_kg * gravity;
+        if (auto good = add_touch(body, *simulated, i, most_lifted_N, plan, gravity); !good) {
+            return good;
+        }
+    }
+    return {};
+}
+
 /// A lesson's bucket among rigid bodies is one of them, which the hand holds by the middle of its rim.
 Expected<void> add_bucket(const LessonDescription& lesson, RigidLoopPlan& rigid, Plan& plan) {
     const BucketDescription& bucket = lesson.bucket;
@@ -249,36 +282,12 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoad
     rigid.rate_hz = std::min(rigid.rate_hz, lesson.hand.rate_hz);
     rigid.world.bodies = {make_ground(lesson)};
     rigid.scene_bodies = {kNoBody};
-    const double gravity = lesson.gravity_W.norm();
     const double most_N = std::min(options.site.force_N, options.device_force_limit_N);
     // A hand that holds a bucket lifts nothing by itself.
     const double most_lifted_N =
         lesson.bucket.present ? std::numeric_limits<double>::infinity() : most_N;
-    for (std::size_t i = 0; i < plan.haptic.solids.size(); ++i) {
-        const SolidPlan& solid = plan.haptic.solids[i];
-        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
-        rigid.solids.push_back(kNoBody);
-        if (body.hinge) {
-            continue;
-        }
-        const auto simulated = make_world_body(lesson, solid, load_solid);
-        if (!simulated) {
-            return tl::unexpected(simulated.error());
-        }
-        const auto index = static_cast<std::int32_t>(rigid.world.bodies.size());
-        rigid.world.bodies.push_back(*simulated);
-        rigid.scene_bodies.push_back(body.rigid ? solid.body : kNoBody);
-        if (!body.rigid) {
-            continue;
-        }
-        rigid.solids.back() = index;
-        if (!body.visible) {
-            rigid.hidden.push_back(index);
-        }
-        plan.felt_weight_N[static_cast<std::size_t>(solid.body)] = body.mass_kg * gravity;
-        if (auto good = add_touch(body, *simulated, i, most_lifted_N, plan, gravity); !good) {
-            return good;
-        }
+    if (auto good = add_world_bodies(lesson, load_solid, most_lifted_N, rigid, plan); !good) {
+        return good;
     }
     if (lesson.bucket.present) {
         if (auto good = add_bucket(lesson, rigid, plan); !good) {

@@ -88,6 +88,24 @@ AxleSettings take_hinge(lua_State* lua, const Arguments& arguments, const BodyDe
     return hinge;
 }
 
+// What is said of how it is touched is for what can be.
+void check_touch(lua_State* lua, const Arguments& arguments, const BodyDescription& body) {
+    if (!body.about.empty() && !body.solid && !body.movable) {
+        raise_in_lesson(lua, body.name + " has about but can't be touched; add solid = true");
+    }
+    if (body.solid && as_felt(body).model == kOrbitModel) {
+        raise_in_lesson(
+            lua, body.name + " is an orbit, a thin line, seen and not felt; leave out solid");
+    }
+    if (arguments["crease"].given && !body.shading.on) {
+        raise_in_lesson(lua, body.name + " has a crease but is not rounded; add rounded = true");
+    }
+    if ((body.shading.on || arguments["material"].given) && !body.solid) {
+        raise_in_lesson(lua, body.name + (body.shading.on ? " is rounded" : " has a material") +
+                                 " but can't be touched; add solid = true");
+    }
+}
+
 int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     std::vector<BodyDescription>& bodies = context.description.bodies;
     BodyDescription body;
@@ -108,20 +126,7 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         // Only a mass that the lesson gives is known to be that of its inertia.
         body.hinge->mass_kg = arguments["mass"].given ? body.mass_kg : 0.0;
     }
-    if (!body.about.empty() && !body.solid && !body.movable) {
-        raise_in_lesson(lua, body.name + " has about but can't be touched; add solid = true");
-    }
-    if (body.solid && as_felt(body).model == kOrbitModel) {
-        raise_in_lesson(
-            lua, body.name + " is an orbit, a thin line, seen and not felt; leave out solid");
-    }
-    if (arguments["crease"].given && !body.shading.on) {
-        raise_in_lesson(lua, body.name + " has a crease but is not rounded; add rounded = true");
-    }
-    if ((body.shading.on || arguments["material"].given) && !body.solid) {
-        raise_in_lesson(lua, body.name + (body.shading.on ? " is rounded" : " has a material") +
-                                 " but can't be touched; add solid = true");
-    }
+    check_touch(lua, arguments, body);
     if (std::ranges::count(bodies, body.name, &BodyDescription::name) > 0) {
         raise_in_lesson(
             lua, "there is already a body \"" + body.name + "\"; give this one another name");
