@@ -173,8 +173,7 @@ int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments)
     for (const auto& [field, file] :
          {std::pair{"test.hand", std::string_view(test.hand)},
           std::pair{"test.second_hand", std::string_view(test.second_hand)}}) {
-        if (!file.empty() &&
-            !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
+        if (!file.empty() && !is_hand_file_name(file)) {
             raise_in_lesson(lua, std::string(field) +
                                      " is the name of a Lua file beside the lesson, such as "
                                      "\"sweep.lua\"; got \"" +

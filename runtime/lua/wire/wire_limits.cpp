@@ -50,6 +50,11 @@ bool is_name(std::string_view text) {
     return true;
 }
 
+bool is_hand_file_name(std::string_view text) {
+    constexpr std::string_view kEnding = ".lua";
+    return text.ends_with(kEnding) && is_name(text.substr(0, text.size() - kEnding.size()));
+}
+
 bool is_picture_name(std::string_view text) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
     if (text.size() > kMaxNameBytes || text.starts_with('.') || text.starts_with(' ')) {

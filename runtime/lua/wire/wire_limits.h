@@ -40,6 +40,8 @@ using Bytes = std::vector<std::uint8_t>;
 /// True when `text` is the name of a picture beside a lesson: letters, digits, blanks, '_', '-' and '.', not first a '.' or a
 /// blank, kMaxNameBytes at most, ending in .png, .jpg or .jpeg, in capitals or not.
 [[nodiscard]] bool is_picture_name(std::string_view text);
+/// True for a name followed by .lua: a hand's file beside the lesson, nothing that leads elsewhere.
+[[nodiscard]] bool is_hand_file_name(std::string_view text);
 /// True when `text` is UTF-8 without overlong forms or surrogates, and has no control characters
 /// but newline and tab.
 [[nodiscard]] bool is_clean_utf8(std::string_view text);

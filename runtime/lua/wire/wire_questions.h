@@ -41,14 +41,12 @@ void knowledge(Archive& a, Knowledge& k) {
     a.integer("a line", k.line, 0, kMaxLine);
 }
 
-/// The hand of a test is a file beside the lesson: "name.lua", nothing that leads elsewhere.
 template <class Archive, class Test>
 void test(Archive& a, Test& t) {
     fields(a, "a test", fields::kTest, t);
     if constexpr (Archive::kReads) {
         for (const std::string_view file : {t.hand, t.second_hand}) {
-            if (!file.empty() &&
-                !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
+            if (!file.empty() && !is_hand_file_name(file)) {
                 a.refuse("a test's hand", "is not the name of a Lua file beside the lesson");
             }
         }
