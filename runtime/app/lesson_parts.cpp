@@ -54,37 +54,50 @@ std::string near_models(const Places& places, const fs::path& lesson_folder,
 }
 
 tl::unexpected<Error> no_model(const Places& places, const fs::path& lesson_folder,
-                               const std::string& model, const std::string& owner,
-                               SourceLine line) {
-    const std::string near = near_models(places, lesson_folder, model);
-    const std::string put = "put " + model + ".glb beside the lesson";
-    return fail("there is no model \"" + model + "\" for " + owner,
-                "lesson.lua:" + std::to_string(line),
-                near.empty() ? put + ", or use sphere or box"
-                             : "did you mean " + near + "? If not, " + put);
+                               const NamedModel& model) {
+    const std::string near = near_models(places, lesson_folder, model.name);
+    const std::string put = "put " + model.name + ".glb beside the lesson";
+    return fail("there is no model \"" + model.name + "\" for " + model.owner,
+                "lesson.lua:" + std::to_string(model.line),
+                !near.empty()        ? "did you mean " + near + "? If not, " + put
+                : model.may_be_shape ? put + ", or use sphere or box"
+                                     : put);
 }
 
 }  // namespace
 
-Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
-                            const LessonDescription& lesson) {
-    const auto is_there = [&](const std::string& model) {
-        return is_shape_model(model) || !find_model(places, lesson_folder, model).empty();
+std::vector<NamedModel> models_of(const LessonDescription& lesson) {
+    std::vector<NamedModel> models;
+    const auto add = [&](const std::string& name, const std::string& owner, SourceLine line,
+                         bool may_be_shape = true) {
+        if (!name.empty()) {
+            models.push_back({name, owner, line, may_be_shape});
+        }
     };
     for (const BodyDescription& body : lesson.bodies) {
         for (const std::string& model : {body.model, body.felt_model, body.simulated_model}) {
-            if (!model.empty() && !is_there(model)) {
-                return no_model(places, lesson_folder, model, body.name, body.line);
-            }
+            add(model, body.name, body.line);
         }
     }
-    const std::string tool = lesson.hand.tool ? lesson.hand.tool->model : "";
-    if (!tool.empty() && !is_there(tool)) {
-        return no_model(places, lesson_folder, tool, "the tool", lesson.hand.line);
+    if (lesson.hand.tool) {
+        add(lesson.hand.tool->model, "the tool", lesson.hand.line);
     }
-    if (lesson.bucket.present && !is_there(lesson.bucket.model)) {
-        return no_model(places, lesson_folder, lesson.bucket.model, "the bucket",
-                        lesson.bucket.line);
+    add(lesson.hand.cursor_model, "the cursor", lesson.hand.line, false);
+    for (const HandDescription& hand : lesson.more_hands) {
+        add(hand.cursor_model, "the cursor", hand.line, false);
+    }
+    if (lesson.bucket.present) {
+        add(lesson.bucket.model, "the bucket", lesson.bucket.line);
+    }
+    return models;
+}
+
+Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
+                            const LessonDescription& lesson) {
+    for (const NamedModel& model : models_of(lesson)) {
+        if (!is_shape_model(model.name) && find_model(places, lesson_folder, model.name).empty()) {
+            return no_model(places, lesson_folder, model);
+        }
     }
     return {};
 }
@@ -196,7 +209,7 @@ Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& les
     }
     const fs::path file = find_model(places, lesson_folder, body.model);
     if (file.empty()) {
-        return no_model(places, lesson_folder, body.model, body.name, body.line);
+        return no_model(places, lesson_folder, {body.model, body.name, body.line});
     }
     const auto model = load_gltf(file);
     if (!model) {

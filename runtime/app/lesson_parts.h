@@ -29,6 +29,17 @@ struct StartedLesson {
 /// beside it.
 [[nodiscard]] Expected<StartedLesson> start_lesson(const Places& places, RunRequest& request);
 
+/// A model that a lesson names: whose it is, for people, and where it says so.
+struct NamedModel {
+    std::string name;
+    std::string owner;
+    SourceLine line = 0;
+    bool may_be_shape = true;  ///< sphere and box would do
+};
+
+/// All of them.
+[[nodiscard]] std::vector<NamedModel> models_of(const LessonDescription& lesson);
+
 /// Every model that the lesson names is there; an error names the body, its line and the nearest name.
 [[nodiscard]] Expected<void> check_models(const Places& places,
                                           const std::filesystem::path& lesson_folder,

@@ -1,5 +1,6 @@
 #include "runtime/app/watched_files.h"
 
+#include "runtime/app/lesson_parts.h"
 #include "runtime/app/places.h"
 #include "runtime/scene/description.h"
 
@@ -34,18 +35,10 @@ std::vector<fs::path> files_of_lesson(const Places& places, const fs::path& fold
             files.push_back(folder / material.image);
         }
     }
-    const auto add_model = [&](const std::string& name) {
-        const fs::path file = find_model(places, folder, name);
+    for (const NamedModel& model : models_of(lesson)) {
+        const fs::path file = find_model(places, folder, model.name);
         if (!file.empty() && file == folder / file.filename()) {
             files.push_back(file);
-        }
-    };
-    if (lesson.bucket.present) {
-        add_model(lesson.bucket.model);
-    }
-    for (const BodyDescription& body : lesson.bodies) {
-        for (const std::string& model : {body.model, body.felt_model, body.simulated_model}) {
-            add_model(model);
         }
     }
     return files;

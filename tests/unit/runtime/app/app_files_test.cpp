@@ -351,6 +351,8 @@ TEST_CASE("watched files: a lesson is made of its sources, its pictures and its 
     const Folder folder;
     folder.save("kettle.glb");
     folder.save("pail.gltf");
+    folder.save("spoon.glb");
+    folder.save("thumb.glb");
     LessonDescription lesson;
     lesson.bucket.present = true;
     lesson.bucket.model = "pail";
@@ -361,6 +363,11 @@ TEST_CASE("watched files: a lesson is made of its sources, its pictures and its 
     lesson.materials[0].image = "felt.jpg";
     const auto files = files_of_lesson({}, folder.at, lesson, {folder.file("lesson.lua")});
     CHECK(files.size() == 4);
+    lesson.hand.tool.emplace().model = "spoon";
+    lesson.more_hands.emplace_back().cursor_model = "thumb";
+    const auto held = files_of_lesson({}, folder.at, lesson, {});
+    CHECK(has(held, folder.file("spoon.glb")));
+    CHECK(has(held, folder.file("thumb.glb")));
     for (const char* name : {"lesson.lua", "felt.jpg", "kettle.glb", "pail.gltf"}) {
         CAPTURE(name);
         CHECK(has(files, folder.file(name)));
