@@ -32,15 +32,13 @@ class VirtualClock {
           tape_(settings.tape),
           again_after_s_(settings.again_after_s),
           rate_hz_(run.plan().haptic.rate_hz),
-          world_every_(run.effects().world_loop() != nullptr
-                           ? std::lround(rate_hz_ / run.plan().world_rate_hz())
-                           : 0),
-          kite_every_(run.plan().kite ? std::lround(rate_hz_ / run.plan().kite->rate_hz) : 0),
           frame_rate_hz_(run.plan().haptic.lesson_rate_hz) {
         if (deadlines_ != nullptr) {
-            const auto period_s = [&](long every) { return static_cast<double>(every) / rate_hz_; };
-            deadlines_->begin({1.0 / rate_hz_, period_s(world_every_), period_s(kite_every_),
-                               1.0 / frame_rate_hz_});
+            DeadlinePeriods periods{1.0 / rate_hz_, 1.0 / frame_rate_hz_, {}};
+            for (const EffectLoop& loop : run_.effects().loops()) {
+                periods.effects_s.push_back(static_cast<double>(rounds_a_step(loop)) / rate_hz_);
+            }
+            deadlines_->begin(std::move(periods));
         }
     }
 
@@ -56,28 +54,20 @@ class VirtualClock {
 
     void tick() {
         const double before_s = jumped_s_;
-        const bool world_runs = spoil();
-        const bool world_is_due =
-            world_runs && run_.effects().world_loop() != nullptr && tick_ % world_every_ == 0;
-        const bool kite_is_due =
-            world_runs && run_.effects().kite_loop() != nullptr && tick_ % kite_every_ == 0;
-        if (stages_ != nullptr) {
-            observe_tick(world_is_due, kite_is_due);
-        } else {
-            run_.rounds().task().step(now_s());
-            find_contact();
-            if (world_is_due) {
-                run_.effects().world_loop()->step(now_s());
-            }
-            if (kite_is_due) {
-                run_.effects().kite_loop()->step(now_s());
+        const bool effects_run = spoil();
+        step_hands();
+        find_contact();
+        const auto& effects = run_.effects().loops();
+        for (std::size_t i = 0; effects_run && i < effects.size(); ++i) {
+            if (tick_ % rounds_a_step(effects[i]) == 0) {
+                step_effect(effects[i]);
             }
         }
         if (tape_ != nullptr) {
             tape_->keep_round(loops_of(run_.hands()));
         }
         if (deadlines_ != nullptr) {
-            watch_deadlines(jumped_s_ - before_s, world_is_due, kite_is_due);
+            watch_deadlines(jumped_s_ - before_s, effects_run);
         }
         if (const SpoiledCounts* const arm = run_.hand().spoiled_counts();
             felt_ != nullptr && arm != nullptr) {
@@ -91,7 +81,7 @@ class VirtualClock {
 
     Expected<FrameReport> exchange_frame() {
         if (deadlines_ != nullptr) {
-            deadlines_->passed(Deadline::frame, now_s(), quiet_around_s());
+            deadlines_->passed_frame(now_s(), quiet_around_s());
         }
         FrameInput input;
         input.time_s = now_s();
@@ -144,16 +134,16 @@ class VirtualClock {
     [[nodiscard]] double quiet_around_s() const {
         return spoiler_ != nullptr ? spoiler_->quiet_s(now_s()) : now_s();
     }
-    void watch_deadlines(double jumped_s, bool world_was_due, bool kite_was_due) {
+    void watch_deadlines(double jumped_s, bool effects_run) {
         const SpoiledCounts* const arm = run_.hand().spoiled_counts();
         const double around_s = quiet_around_s();
         deadlines_->hands_stepped(now_s(), jumped_s, run_.haptic_loop().state(),
                                   arm != nullptr ? std::min(arm->quiet_s, around_s) : around_s);
-        if (world_was_due) {
-            deadlines_->passed(Deadline::world, now_s(), around_s);
-        }
-        if (kite_was_due) {
-            deadlines_->passed(Deadline::kite, now_s(), around_s);
+        const auto& effects = run_.effects().loops();
+        for (std::size_t i = 0; effects_run && i < effects.size(); ++i) {
+            if (tick_ % rounds_a_step(effects[i]) == 0) {
+                deadlines_->passed_effect(i, now_s(), around_s);
+            }
         }
     }
     // Of a plan for a live run, where a thread would do it: by turns, a round a step.
@@ -162,21 +152,25 @@ class VirtualClock {
             (void)beside->run_once();
         }
     }
-    void observe_tick(bool world_is_due, bool kite_is_due) {
+    // Of the hands; what is faster than they are has its round in each of theirs.
+    [[nodiscard]] long rounds_a_step(const EffectLoop& loop) const {
+        return std::max(std::lround(rate_hz_ / loop.rate_hz), 1L);
+    }
+    void step_hands() {
+        if (stages_ == nullptr) {
+            return run_.rounds().task().step(now_s());
+        }
         stages_->begin();
         run_.rounds().step(now_s(), *stages_);
         stages_->compare(run_.haptic_loop().state(), run_.hand().true_velocity_W());
-        find_contact();
-        if (world_is_due) {
-            stages_->begin();
-            run_.effects().world_loop()->step(now_s());
-            stages_->passed_world(run_.effects().world_effort());
+    }
+    void step_effect(const EffectLoop& loop) {
+        if (stages_ == nullptr) {
+            return loop.task->step(now_s());
         }
-        if (kite_is_due) {
-            stages_->begin();
-            run_.effects().kite_loop()->step(now_s());
-            stages_->passed_kite();
-        }
+        stages_->begin();
+        loop.task->step(now_s());
+        stages_->passed_effect(loop.name, run_.effects().world_effort());
     }
 
     LessonRun& run_;
@@ -190,8 +184,6 @@ class VirtualClock {
     double ended_s_ = -1.0;
     double jumped_s_ = 0.0;
     double rate_hz_;
-    long world_every_;
-    long kite_every_;
     double frame_rate_hz_;
     long tick_ = 0;
     long frame_ = 0;

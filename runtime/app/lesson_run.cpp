@@ -139,7 +139,7 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     for (const auto& hand : hands_) {
         hand->channels.command.publish(output->force);
     }
-    if (auto ordered = effects_.order(plan(), *output); !ordered) {
+    if (auto ordered = effects_.order(*output); !ordered) {
         return tl::unexpected(ordered.error());
     }
     lead_hands(*output);
@@ -155,7 +155,7 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
 void LessonRun::lead_hands(const SessionOutput& output) {
     if (output.has_hand_target) {
         if (hand().spoiled_counts() != nullptr) {
-            hand().see(nearest_.look(description(), effects_.newest_world(),
+            hand().see(nearest_.look(description(), effects_.frames().world,
                                      hands_.front()->state().tool_pose_W.position));
         }
         hands_.front()->aim({output.hand_target_W, output.hand_buttons, output.hand_key});
@@ -262,7 +262,7 @@ Expected<void> LessonRun::finish_record() {
 View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     Scenery scenery;
     scenery.time_s = last_frame_s_;
-    effects_.show(scenery);
+    static_cast<EffectFrames&>(scenery) = effects_.frames();
     const HandScenery first = hands_.front()->scenery();
     scenery.hand = first.hand;
     scenery.renders_force = hand().renders_force();

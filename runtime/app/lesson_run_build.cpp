@@ -187,15 +187,17 @@ void LessonRun::say_what_was_done(const RunRequest& request) {
 Expected<void> LessonRun::build_loops(const RunOrder& order) {
     const LessonDescription& lesson = process_->description();
     Plan& plan = plan_.plan();
-    if (auto joined = effects_.join(plan, hands_); !joined) {
-        return joined;
+    for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
+        hands_[hand]->channels.add(plan.of_hand(hand), plan.rigid.has_value());
     }
+    const auto channels = channels_of(hands_);
+    if (auto built = effects_.build({plan, channels, place_at_first(plan_.scene())}); !built) {
+        return built;
+    }
+    effects_.measure(plan.stages);
     const bool is_told = tells_loops(order.request, lesson, hands_);
     for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
-        if (is_told) {
-            hands_[hand]->make_told();
-        }
-        hands_[hand]->build_loop(plan.of_hand(hand));
+        hands_[hand]->build_loop(plan, plan.of_hand(hand), is_told);
     }
     rounds_.build(hands_);
     if (plan.picture && order.request.plan.live) {
@@ -206,7 +208,6 @@ Expected<void> LessonRun::build_loops(const RunOrder& order) {
         return tl::unexpected(recorder.error());
     }
     recorder_ = std::move(*recorder);
-    effects_.build_world(plan, channels(), plan_.scene());
     for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
         fill_in_memory(plan, hand, *hands_[hand]->loop);
     }

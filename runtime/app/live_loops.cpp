@@ -24,15 +24,11 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
     settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning
     settings.fifo_priority = 0;
     settings.lock_memory = false;
-    if (run.effects().world_loop() != nullptr) {
-        settings.rate_Hz = run.plan().world_rate_hz();
-        if (auto started = world_.start(*run.effects().world_loop(), settings); !started) {
+    for (const EffectLoop& loop : run.effects().loops()) {
+        settings.rate_Hz = loop.rate_hz;
+        if (auto started = effects_.emplace_back().start(*loop.task, settings); !started) {
             return started;
         }
-    }
-    if (run.effects().kite_loop() != nullptr) {
-        settings.rate_Hz = run.plan().kite->rate_hz;
-        return kite_.start(*run.effects().kite_loop(), settings);
     }
     return {};
 }
@@ -86,8 +82,9 @@ void LiveLoops::stop() noexcept {
     contact_.stop();
     contact_was_ = contact_pace();
     contact_of_ = nullptr;  // that may end too, now
-    world_.stop();
-    kite_.stop();
+    for (RealtimeThread& effect : effects_) {
+        effect.stop();
+    }
 }
 
 }  // namespace fulcrum::runtime

@@ -1,4 +1,4 @@
-// The threads of a lesson that is played in real time: hand, what finds contact beside it, world and kite, as far as it has them. The lesson loop is
+// The threads of a lesson that is played in real time: hands, what finds contact beside them, and the effects that have a loop. The lesson loop is
 // the caller's own.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include "haptics/loop/realtime_thread.h"
 #include "runtime/app/lesson_run.h"
 
+#include <list>
 #include <optional>
 #include <string>
 
@@ -47,8 +48,7 @@ class LiveLoops {
     BesideThread contact_;
     const HapticLoop* contact_of_ = nullptr;  // whose contacts it finds; null where it does not run
     std::optional<ContactPace> contact_was_;  // how it did until it was stopped
-    RealtimeThread world_;
-    RealtimeThread kite_;
+    std::list<RealtimeThread> effects_;
 };
 
 }  // namespace fulcrum::runtime

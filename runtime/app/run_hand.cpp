@@ -2,18 +2,15 @@
 
 namespace fulcrum::runtime {
 
-void RunHand::make_told() {
-    told = std::make_unique<ToldChannels>();
-    told->haptics.axles = channels.axles != nullptr ? &told->axles : nullptr;
-    told->haptics.rigid = channels.rigid != nullptr ? &told->rigid : nullptr;
-    told->haptics.kite = channels.kite != nullptr ? &told->kite : nullptr;
-    told->haptics.touches = channels.touches;
-}
-
 // What the last gate lets through is the least of device, place and lesson.
-void RunHand::build_loop(const HapticPlan& plan) {
-    loop = std::make_unique<HapticLoop>(plan, device->device(), loop_channels());
-    SafetySettings limits = plan.safety;
+void RunHand::build_loop(const Plan& plan, const HapticPlan& own, bool is_told) {
+    if (is_told) {
+        told = std::make_unique<HandChannels>();
+        told->add(own, plan.rigid.has_value());
+        told->touches = channels.touches;
+    }
+    loop = std::make_unique<HapticLoop>(own, device->device(), loop_channels());
+    SafetySettings limits = own.safety;
     limits.max_force_N = loop->max_force_N();
     limits.max_torque_Nm = loop->max_torque_Nm();
     device->keep_limits(limits);
@@ -73,6 +70,10 @@ auto of_each(const RunHands& hands, const Take& take) {
 }
 
 }  // namespace
+
+std::vector<HapticChannels*> channels_of(const RunHands& hands) {
+    return of_each(hands, [](RunHand& hand) -> HapticChannels* { return &hand.channels; });
+}
 
 std::vector<const HapticLoop*> loops_of(const RunHands& hands) {
     return of_each(hands, [](const RunHand& hand) -> const HapticLoop* { return hand.loop.get(); });

@@ -3,11 +3,8 @@
 // Thread: `loop` belongs to the hands' thread, `channels` to both sides, all else to the lesson's.
 #pragma once
 
-#include "haptics/flight/kite_loop.h"
-#include "haptics/handover/axle_messages.h"
-#include "haptics/handover/channels.h"
-#include "haptics/handover/rigid_messages.h"
 #include "haptics/loop/haptic_loop.h"
+#include "runtime/app/hand_channels.h"
 #include "runtime/app/hand_choice.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/lesson/hand_fit.h"
@@ -27,18 +24,9 @@ struct HandWish {
     std::string key;  ///< to be pressed once; empty for none
 };
 
-/// What a hand's loop is told by a record.
-struct ToldChannels {
-    HapticChannels haptics{};
-    AxleChannels axles{};
-    RigidChannels rigid{};
-    KiteChannels kite{};
-};
-
 struct RunHand {
-    HapticChannels channels{};
-    std::unique_ptr<RigidChannels> rigid;  ///< null without rigid bodies
-    std::unique_ptr<ToldChannels> told;    ///< null where no record tells all
+    HandChannels channels{};
+    std::unique_ptr<HandChannels> told;  ///< by a record, which tells all; else null
     std::unique_ptr<HandDevice> device;
     std::unique_ptr<HapticLoop> loop;
     std::optional<HandWish> wish;
@@ -47,10 +35,9 @@ struct RunHand {
     HandFit fit{};                           ///< said and kept
 
     /// Those of the loop: in a run that is told by a record, others than those that the rest of the run has.
-    [[nodiscard]] HapticChannels& loop_channels() { return told ? told->haptics : channels; }
-    /// Lets a record tell the loop what it is told.
-    void make_told();
-    void build_loop(const HapticPlan& plan);
+    [[nodiscard]] HapticChannels& loop_channels() { return told ? *told : channels; }
+    /// `is_told`: a record tells the loop what it is told.
+    void build_loop(const Plan& plan, const HapticPlan& own, bool is_told);
     /// As of the lesson's last frame.
     [[nodiscard]] const HapticState& state() const { return channels.state_for_lesson.value(); }
     /// The hand as lesson and picture see it: one without motors with what would be felt, for no force can hurt there, and a gate that
@@ -71,6 +58,7 @@ struct RunHand {
 using RunHands = std::vector<std::unique_ptr<RunHand>>;
 
 // Of each of them.
+[[nodiscard]] std::vector<HapticChannels*> channels_of(const RunHands& hands);
 [[nodiscard]] std::vector<const HapticLoop*> loops_of(const RunHands& hands);
 [[nodiscard]] std::vector<DeviceTraits> traits_of(const RunHands& hands);
 [[nodiscard]] std::vector<FeltTime> felt_times_of(const RunHands& hands);

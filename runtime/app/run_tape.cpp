@@ -6,8 +6,7 @@ namespace fulcrum::runtime {
 
 void RunTape::keep_frame(const SessionOutput& output) {
     if (n_rounds() < kMostTapedRounds) {
-        frames_.push_back({n_rounds(), output.force, output.world, output.axles, output.kite,
-                           output.kite_design});
+        frames_.push_back({n_rounds(), output.force, output});
     }
 }
 

@@ -38,10 +38,7 @@ struct TapedRound {
 struct TapedFrame {
     std::size_t round = 0;  ///< before it
     ForceCommand command{};
-    std::vector<WorldCommand> world;
-    AxleOrders axles{};
-    KiteOrders kite{};
-    std::optional<KiteSettings> kite_design{};
+    EffectOrders orders{};
 };
 
 class RunTape {

@@ -302,7 +302,7 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
         --result.around[static_cast<std::size_t>(RunSpoil::disk_full)];  // it was over too soon
     }
     for (const Deadline what :
-         {Deadline::hands, Deadline::world, Deadline::kite, Deadline::frame, Deadline::command}) {
+         {Deadline::hands, Deadline::effect, Deadline::frame, Deadline::command}) {
         result.n_deadlines += deadlines.n_met(what);
     }
     return result;

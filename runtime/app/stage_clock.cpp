@@ -47,7 +47,6 @@ StageClock::StageClock(const Plan& plan)
       calls_(plan.stages.size()),
       haptic_stages_(kHapticStages * (1 + plan.more_hands.size())),
       world_stage_(find("world", {})),
-      kite_stage_(find("kite", {})),
       contact_stage_(find("contact", {})),
       lesson_stage_(find("lesson", {})),
       tool_time_us_(find_tool_time_us(plan.haptic.rate_hz)) {
@@ -87,15 +86,10 @@ void StageClock::ended_round() noexcept {
     began_s_ += monotonic_now_s() - round_began_s_;
 }
 
-void StageClock::passed_world(const WorldEffort& effort) noexcept {
+void StageClock::passed_effect(std::string_view loop, const WorldEffort& effort) noexcept {
     const double ended_s = monotonic_now_s();
-    count(world_stage_, ended_s);
+    count(find(loop, {}), ended_s);
     world_ = effort;
-}
-
-void StageClock::passed_kite() noexcept {
-    const double ended_s = monotonic_now_s();
-    count(kite_stage_, ended_s);
 }
 
 void StageClock::passed_lesson() noexcept {

@@ -35,9 +35,8 @@ class StageClock final : public StageListener, public RoundListener {
     void ended_round() noexcept override;
     /// The stages that end now are this hand's.
     void begins_hand(std::size_t hand) noexcept override { hand_ = hand; }
-    /// What began last was a round of the world; it stands with the first of the world's stages.
-    void passed_world(const WorldEffort& effort) noexcept;
-    void passed_kite() noexcept;
+    /// What began last was a round of that effect's loop; it stands with the first of the loop's stages.
+    void passed_effect(std::string_view loop, const WorldEffort& effort) noexcept;
     /// What began last was a frame of the lesson.
     void passed_lesson() noexcept;
     /// After a haptic round: what came of it, and how fast the hand really was, where that is known (world, m/s).
@@ -80,7 +79,6 @@ class StageClock final : public StageListener, public RoundListener {
     std::vector<std::size_t> haptic_stages_;  // place in the plan of each HapticStage, hand by hand
     std::size_t hand_ = 0;
     std::size_t world_stage_;
-    std::size_t kite_stage_;
     std::size_t contact_stage_;
     std::size_t lesson_stage_;
     Sum velocity_error_m_per_s_;

@@ -1,7 +1,6 @@
 #include "runtime/app/taped_loops.h"
 
 #include "runtime/app/repeated_faults.h"
-#include "runtime/scene/plan_kite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,20 +34,8 @@ bool TapedDevice::write(double /*now_s*/, const Wrench& /*wrench_D*/) noexcept {
 }
 
 TapedHand::TapedHand(const HapticPlan& plan, const DeviceTraits& traits, bool has_rigid)
-    : device_(std::make_unique<TapedDevice>(traits)),
-      channels_(std::make_unique<HapticChannels>()) {
-    if (!plan.axles.empty()) {
-        axles_ = std::make_unique<AxleChannels>();
-        channels_->axles = axles_.get();
-    }
-    if (has_rigid) {
-        rigid_ = std::make_unique<RigidChannels>();
-        channels_->rigid = rigid_.get();
-    }
-    if (plan.line) {
-        kite_ = std::make_unique<KiteChannels>();
-        channels_->kite = kite_.get();
-    }
+    : device_(std::make_unique<TapedDevice>(traits)), channels_(std::make_unique<HandChannels>()) {
+    channels_->add(plan, has_rigid);
     loop_ = std::make_unique<HapticLoop>(plan, *device_, *channels_);
 }
 
@@ -65,37 +52,22 @@ void TapedHand::hear(const TapedHand& other) noexcept {
     const HapticChannels& told = other.channels();
     pass(told.command, heard_[0], channels_->command);
     pass(told.world, heard_[1], channels_->world);
-    if (axles_) {
-        pass(told.axles->orders, heard_[2], axles_->orders);
+    if (told.axles != nullptr) {
+        pass(told.axles->orders, heard_[2], channels_->axles->orders);
     }
-    if (rigid_) {
-        pass(told.rigid->frame, heard_[3], rigid_->frame);
+    if (told.rigid != nullptr) {
+        pass(told.rigid->frame, heard_[3], channels_->rigid->frame);
     }
-    if (kite_) {
-        pass(told.kite->line, heard_[4], kite_->line);
+    if (told.kite != nullptr) {
+        pass(told.kite->line, heard_[4], channels_->kite->line);
     }
 }
 
 TapedLoops::TapedLoops(const Plan& plan, const std::vector<DeviceTraits>& hands) : plan_(plan) {
+    plan_.touch_sound = false;  // nobody listens
     for (std::size_t i = 0; i < hands.size(); ++i) {
-        hands_.push_back(std::make_unique<TapedHand>(
-            i == 0 ? plan_.haptic : plan_.more_hands[i - 1], hands[i], plan_.rigid.has_value()));
-    }
-    if (plan_.kite) {
-        kite_loop_ = std::make_unique<KiteLoop>(plan_.kite->flight,
-                                                plan_.kite->rate_hz * plan_.kite->n_parts,
-                                                *hands_.front()->channels().kite);
-    }
-    if (plan_.world || plan_.rigid) {
-        world_channels_ = std::make_unique<WorldChannels>();
-    }
-    if (plan_.world) {
-        std::vector<std::int32_t> solid_bodies;
-        for (const SolidPlan& solid : plan_.haptic.solids) {
-            solid_bodies.push_back(solid.body);
-        }
-        world_loop_ = std::make_unique<WorldLoop>(*plan_.world, std::move(solid_bodies),
-                                                  *world_channels_, hands_.front()->channels());
+        hands_.push_back(
+            std::make_unique<TapedHand>(plan_.of_hand(i), hands[i], plan_.rigid.has_value()));
     }
 }
 
@@ -103,21 +75,13 @@ Expected<std::unique_ptr<TapedLoops>> TapedLoops::create(const Plan& plan,
                                                          const std::vector<DeviceTraits>& hands,
                                                          const std::vector<WorldCommand>& first) {
     std::unique_ptr<TapedLoops> loops(new TapedLoops(plan, hands));
-    if (plan.rigid) {
-        std::vector<RigidChannels*> channels;
-        for (const auto& hand : loops->hands_) {
-            channels.push_back(hand->channels().rigid);
-        }
-        auto rigid = RigidLoop::create(*plan.rigid, loops->world_channels_.get(), channels);
-        if (!rigid) {
-            return tl::unexpected(rigid.error());
-        }
-        loops->rigid_loop_ = std::move(*rigid);
+    std::vector<HapticChannels*> channels;
+    for (const auto& hand : loops->hands_) {
+        channels.push_back(&hand->channels());
     }
-    if (plan.world) {
-        (void)loops->to_world_.send(first, loops->world_channels_->commands);
-    }
-    return loops;
+    return loops->effects_.build({loops->plan_, channels, first}).map([&] {
+        return std::move(loops);
+    });
 }
 
 void TapedLoops::step(const RunTape& tape) noexcept {
@@ -129,7 +93,7 @@ void TapedLoops::step(const RunTape& tape) noexcept {
         const TapedRound& round = tape.round(round_, i);
         hands_[i]->step(round, round.reading, now_s);
     }
-    step_world(now_s);
+    step_effects(now_s);
     ++round_;
 }
 
@@ -137,38 +101,22 @@ void TapedLoops::tell(const TapedFrame& frame) {
     for (const auto& hand : hands_) {
         hand->channels().command.publish(frame.command);
     }
-    HapticChannels& first = hands_.front()->channels();
-    if (first.axles != nullptr) {
-        first.axles->orders.publish(frame.axles);
-    }
-    if (first.kite != nullptr) {
-        if (frame.kite_design) {
-            first.kite->built.put(
-                std::make_unique<KiteFlight>(with_design(plan_.kite->flight, *frame.kite_design)));
-        }
-        first.kite->orders.publish(frame.kite);
-    }
-    if (world_channels_) {
-        (void)to_world_.send(frame.world, world_channels_->commands);
-    }
+    (void)effects_.order(frame.orders);
 }
 
 // As the virtual clock has them; what is faster than the hand's rounds several times in one, at the round's end last.
-void TapedLoops::step_world(double now_s) noexcept {
+void TapedLoops::step_effects(double now_s) noexcept {
     const double rate_hz = plan_.haptic.rate_hz;
-    const auto run = [&](PeriodicTask* task, double task_rate_hz) {
-        const auto every = static_cast<std::size_t>(std::lround(rate_hz / task_rate_hz));
-        if (task == nullptr || (every > 1 && round_ % every != 0)) {
-            return;
+    for (const EffectLoop& loop : effects_.loops()) {
+        const auto every = static_cast<std::size_t>(std::lround(rate_hz / loop.rate_hz));
+        if (every > 1 && round_ % every != 0) {
+            continue;
         }
-        const long n = std::max(std::lround(task_rate_hz / rate_hz), 1L);
+        const long n = std::max(std::lround(loop.rate_hz / rate_hz), 1L);
         for (long i = n - 1; i >= 0; --i) {
-            task->step(now_s - static_cast<double>(i) / (static_cast<double>(n) * rate_hz));
+            loop.task->step(now_s - static_cast<double>(i) / (static_cast<double>(n) * rate_hz));
         }
-    };
-    run(world_loop_.get(), plan_.world ? plan_.world->rate_hz : rate_hz);
-    run(rigid_loop_.get(), plan_.rigid ? plan_.rigid->rate_hz : rate_hz);
-    run(kite_loop_.get(), plan_.kite ? plan_.kite->rate_hz : rate_hz);
+    }
 }
 
 }  // namespace fulcrum::runtime

@@ -1,17 +1,15 @@
 // The loops of a plan once more, told what a tape holds (run_tape.h): the hand's device gives the poses that were, and keeps what it is sent.
 //
-//   round k of a tape:  reading, stops -> each hand's loop;  then, when due, world and kite, as under the virtual clock
+//   round k of a tape:  reading, stops -> each hand's loop;  then, when due, the effects, as under the virtual clock
 // Of the plan that was run they give what it gave, to the bit. Of another plan they say what that would have given the same hand.
 //
 // Thread: one. No allocation in `step` after construction, but for a world's commands that wait.
 #pragma once
 
-#include "haptics/dynamics/rigid_loop.h"
-#include "haptics/dynamics/world_loop.h"
-#include "haptics/flight/kite_loop.h"
 #include "haptics/loop/haptic_loop.h"
+#include "runtime/app/hand_channels.h"
+#include "runtime/app/run_effects.h"
 #include "runtime/app/run_tape.h"
-#include "runtime/app/world_post.h"
 #include "runtime/scene/plan.h"
 
 #include <array>
@@ -55,10 +53,7 @@ class TapedHand {
 
   private:
     std::unique_ptr<TapedDevice> device_;
-    std::unique_ptr<HapticChannels> channels_;
-    std::unique_ptr<AxleChannels> axles_;
-    std::unique_ptr<RigidChannels> rigid_;
-    std::unique_ptr<KiteChannels> kite_;
+    std::unique_ptr<HandChannels> channels_;
     std::unique_ptr<HapticLoop> loop_;
     std::array<std::uint64_t, 5> heard_{};  // of each channel of the other
     bool was_stopped_ = false;
@@ -79,15 +74,11 @@ class TapedLoops {
   private:
     TapedLoops(const Plan& plan, const std::vector<DeviceTraits>& hands);
     void tell(const TapedFrame& frame);
-    void step_world(double now_s) noexcept;
+    void step_effects(double now_s) noexcept;
 
     Plan plan_;
     std::vector<std::unique_ptr<TapedHand>> hands_;
-    std::unique_ptr<WorldChannels> world_channels_;
-    std::unique_ptr<WorldLoop> world_loop_;
-    std::unique_ptr<RigidLoop> rigid_loop_;
-    std::unique_ptr<KiteLoop> kite_loop_;
-    WorldPost to_world_;
+    RunEffects effects_;
     std::size_t round_ = 0;
     std::size_t frame_ = 0;
 };

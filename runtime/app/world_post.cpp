@@ -2,7 +2,7 @@
 
 namespace fulcrum::runtime {
 
-Expected<void> WorldPost::send(const std::vector<WorldCommand>& commands, WorldCommandRing& world) {
+Expected<void> WorldPost::send(std::span<const WorldCommand> commands, WorldCommandRing& world) {
     waiting_.insert(waiting_.end(), commands.begin(), commands.end());
     while (!waiting_.empty() && world.push(waiting_.front())) {
         waiting_.pop_front();

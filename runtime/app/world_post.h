@@ -9,7 +9,7 @@
 
 #include <cstddef>
 #include <deque>
-#include <vector>
+#include <span>
 
 namespace fulcrum::runtime {
 
@@ -19,7 +19,7 @@ class WorldPost {
         8192;  ///< some ten seconds of nine bodies that all move
 
     /// Hands over what waits and then these, as many as the world has room for; says so when more wait than may.
-    [[nodiscard]] Expected<void> send(const std::vector<WorldCommand>& commands,
+    [[nodiscard]] Expected<void> send(std::span<const WorldCommand> commands,
                                       WorldCommandRing& world);
     [[nodiscard]] std::size_t n_waiting() const noexcept { return waiting_.size(); }
 

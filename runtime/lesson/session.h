@@ -11,9 +11,8 @@
 
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
-#include "haptics/flight/kite_loop.h"
-#include "haptics/handover/axle_messages.h"
 #include "haptics/handover/messages.h"
+#include "runtime/lesson/effect_messages.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/question_dialogue.h"
 #include "runtime/lesson/session_log.h"
@@ -34,14 +33,11 @@
 namespace fulcrum::runtime {
 
 /// What happened since the last frame.
-struct SessionInput {
+struct SessionInput : EffectFrames {
     double time_s = 0.0;
     double dt_s = 0.0;
     HapticState hand{};
     std::vector<HapticState> more_hands{};  ///< those beside it that are there
-    const WorldSnapshot* world = nullptr;   ///< null when the plan has no world
-    const AxleFrame* axles = nullptr;       ///< null when nothing turns
-    const KiteFrame* kite = nullptr;        ///< null when nothing flies
     double wheel = 0.0;  ///< notches since the last frame, away from the user is +
     std::vector<WorldEvent> world_events;
     std::vector<std::string> keys;
@@ -50,12 +46,8 @@ struct SessionInput {
 };
 
 /// What is to be done before the next frame.
-struct SessionOutput {
-    std::vector<WorldCommand> world;
+struct SessionOutput : EffectOrders {
     ForceCommand force{};
-    AxleOrders axles{};                         ///< as the lesson has ordered so far
-    KiteOrders kite{};                          ///< likewise
-    std::optional<KiteSettings> kite_design{};  ///< another kite, to be flown from now on
     std::vector<std::string> sounds;
     bool has_hand_target = false;  ///< the simulated hand's Lua gave one
     Pose hand_target_W{};

@@ -2,6 +2,7 @@
 # include_direction.sh [ROOT]: fails on any #include against the direction of the house. Areas and the rooms in them
 # stand in order, each above all that it may include. Nor do files include each other in a circle: X.h and X.cpp count
 # as one, and X_y.cpp, where no header is its own, as the X.h that it includes. Includes are written from the root.
+# A room of runtime/effect holds all of an effect; each part of it, by its name, has the place of the layer that it is of.
 set -euo pipefail
 cd "${1:-$(dirname -- "$0")/../..}"
 
@@ -23,9 +24,15 @@ function order(name, rooms,    list, n, i) {
     for (i = 1; i <= n; ++i) rank[name "/" list[i]] = n - i + 1
 }
 function complain(why) { print $1 ":" $2 ": " why; bad = 1 }
+# The layer of a part of an effect, or the path itself.
+function layer_of(path,    part) {
+    return split(path, part, "/") != 4 || path !~ /^runtime\/effect\// ? path : \
+        part[4] ~ /^run_/ ? "runtime/app/" part[4] : part[4] ~ /^show_/ ? "runtime/lesson/" part[4] : \
+        part[4] ~ /^declare_/ ? "runtime/lua/api/" part[4] : part[4] ~ /^plan_/ ? "runtime/scene/" part[4] : path
+}
 # The inner room of a path, or nothing.
-function inner_of(path,    part, n) { n = split(path, part, "/"); return n > 3 ? part[1] "/" part[2] "/" part[3] : "" }
-function room_of(path,    part, n) { n = split(path, part, "/"); return n > 2 ? part[1] "/" part[2] : part[1] }
+function inner_of(path,    part, n) { path = layer_of(path); n = split(path, part, "/"); return n > 3 ? part[1] "/" part[2] "/" part[3] : "" }
+function room_of(path,    part, n) { path = layer_of(path); n = split(path, part, "/"); return n > 2 ? part[1] "/" part[2] : part[1] }
 # A file, its source or header alike.
 function stem(path) { sub(/\.[a-z]+$/, "", path); return path }
 function file_of(path,    name) {

@@ -36,11 +36,9 @@ const StageFigures* find(const Analysis& analysis, std::size_t index) {
 }
 
 constexpr double kDt_s = 0.001;
-constexpr DeadlinePeriods kPeriods{kDt_s, 0.005, 0.0, 1.0 / 60.0};
-
 DeadlineWatch make_watch() {
     DeadlineWatch watch;
-    watch.begin(kPeriods);
+    watch.begin({kDt_s, 1.0 / 60.0, {0.005, 0.002}});
     return watch;
 }
 
@@ -55,7 +53,7 @@ TEST_CASE("stage clock: each call is counted for its own stage, what is not in t
         clock.passed(HapticStage::proxy);  // not in this plan
         clock.passed(HapticStage::estimate);
         clock.begin();
-        clock.passed_world({.n_steps = 500, .n_unconverged = 3});
+        clock.passed_effect("world", {.n_steps = 500, .n_unconverged = 3});
     }
     clock.begin();
     clock.passed_lesson();
@@ -234,21 +232,20 @@ TEST_CASE("deadlines: what comes in its time is met, and counted") {
     for (int tick = 0; tick < 10000; ++tick) {
         const double now_s = kDt_s * tick;
         if (now_s * 60.0 >= static_cast<double>(frame) - 1e-9) {
-            watch.passed(Deadline::frame, now_s, now_s);
+            watch.passed_frame(now_s, now_s);
             ++frame;
         }
         watch.hands_stepped(now_s, 0.0, {}, now_s);
         if (tick % 5 == 0) {
-            watch.passed(Deadline::world, now_s, now_s);
+            watch.passed_effect(0, now_s, now_s);
         }
     }
     CHECK(watch.n_broken() == 0);
     CHECK(watch.broken() == Deadline::none);
     CHECK(watch.n_met(Deadline::hands) == 9999);
-    CHECK(watch.n_met(Deadline::world) >= 1990);
+    CHECK(watch.n_met(Deadline::effect) >= 1990);
     CHECK(watch.n_met(Deadline::frame) >= 590);
     CHECK(watch.n_met(Deadline::command) == 8500);
-    CHECK(watch.n_met(Deadline::kite) == 0);
 }
 
 TEST_CASE("deadlines: a round that is left out is told, a clock that jumped is not") {
@@ -264,16 +261,29 @@ TEST_CASE("deadlines: a round that is left out is told, a clock that jumped is n
 }
 
 TEST_CASE("deadlines: a world or a frame is late only while nobody keeps it back") {
-    for (const Deadline what : {Deadline::world, Deadline::frame}) {
+    for (const bool is_frame : {false, true}) {
         DeadlineWatch watch = make_watch();
-        watch.passed(what, 1.0, 1.0);
-        watch.passed(what, 1.1, 0.0);  // kept back
-        watch.passed(what, 1.2, 0.004);
+        const auto passed = [&](double now_s, double quiet_s) {
+            is_frame ? watch.passed_frame(now_s, quiet_s) : watch.passed_effect(0, now_s, quiet_s);
+        };
+        passed(1.0, 1.0);
+        passed(1.1, 0.0);  // kept back
+        passed(1.2, 0.004);
         CHECK(watch.n_broken() == 0);
-        watch.passed(what, 1.3, 0.1);
+        passed(1.3, 0.1);
         CHECK(watch.n_broken() == 1);
-        CHECK(watch.broken() == what);
+        CHECK(watch.broken() == (is_frame ? Deadline::frame : Deadline::effect));
     }
+}
+
+TEST_CASE("deadlines: each effect has a period of its own") {
+    DeadlineWatch watch = make_watch();
+    watch.passed_effect(0, 1.0, 1.0);
+    watch.passed_effect(1, 1.0, 1.0);
+    watch.passed_effect(0, 1.004, 1.0);
+    CHECK(watch.n_broken() == 0);
+    watch.passed_effect(1, 1.004, 1.0);
+    CHECK(watch.n_broken() == 1);
 }
 
 TEST_CASE("deadlines: who is told to be late with nothing broken is late") {
