@@ -82,7 +82,8 @@ Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressSto
         std::printf("The %s%s pushes gently for a moment, to be tried.\n",
                     hand == 0 ? "" : "second ", tried.name());
         (void)std::fflush(stdout);
-        auto begun = ForceTrial::begin(device.device(), run.limits_of(hand), kAsked, tried);
+        auto begun =
+            ForceTrial::begin(device.device(), run.plan().of_hand(hand).safety, kAsked, tried);
         if (!begun) {
             return tl::unexpected(begun.error());
         }

@@ -210,8 +210,8 @@ Expected<TrialLeft> try_forces_in_window(LessonRun& run, const RunRequest& reque
             continue;
         }
         HandDevice& device = *run.hand_at(hand).device;
-        auto begun =
-            ForceTrial::begin(device.device(), run.limits_of(hand), kAsked, device.tried());
+        auto begun = ForceTrial::begin(device.device(), run.plan().of_hand(hand).safety, kAsked,
+                                       device.tried());
         if (!begun) {
             return tl::unexpected(begun.error());
         }

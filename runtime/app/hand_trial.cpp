@@ -14,17 +14,21 @@ bool needs_trial(const RunHand& hand, const RunRequest& request, bool asked) {
            !is_tried(hand.fit, asked, hand.device->device().traits().name);
 }
 
-std::string withhold_refused(RunHand& hand, const std::string& which, const RunRequest& request) {
-    HandDevice& device = *hand.device;
-    if (!device.can_push() || request.first_use != FirstUseTrial::never ||
-        !is_refused(hand.fit, device.device().traits().name)) {
-        return {};
+std::vector<std::string> withhold_refused(const RunHands& hands, const RunRequest& request) {
+    std::vector<std::string> sentences;
+    for (const auto& hand : hands) {
+        HandDevice& device = *hand->device;
+        if (!device.can_push() || request.first_use != FirstUseTrial::never ||
+            !is_refused(hand->fit, device.device().traits().name)) {
+            continue;
+        }
+        device.give_no_force();
+        sentences.push_back(
+            "the " + std::string(hand == hands.front() ? "" : "second ") + device.tried().name() +
+            " gives no force in this lesson: its last trial was not good; start the lesson without "
+            "--first-use never, and it is tried again.");
     }
-    const std::string name = which + device.tried().name();
-    device.give_no_force();
-    return "the " + name +
-           " gives no force in this lesson: its last trial was not good; start the lesson without "
-           "--first-use never, and it is tried again.";
+    return sentences;
 }
 
 void take_trial(RunHand& hand, const std::string& whose, const FirstUse& trial, bool asked,

@@ -14,10 +14,9 @@ namespace fulcrum::runtime {
 
 /// Whether this hand's forces are to be tried first; `asked`: somebody will answer.
 [[nodiscard]] bool needs_trial(const RunHand& hand, const RunRequest& request, bool asked);
-/// What this learner's last trial found not good gives nothing until a new one is good, also where none is to be. The sentence that says so, or
-/// nothing. `which`: "" or "second ".
-[[nodiscard]] std::string withhold_refused(RunHand& hand, const std::string& which,
-                                           const RunRequest& request);
+/// What this learner's last trial found not good gives nothing until a new one is good, also where none is to be. A sentence for each.
+[[nodiscard]] std::vector<std::string> withhold_refused(const RunHands& hands,
+                                                        const RunRequest& request);
 /// Keeps how it came out for the learner of that request and this hand's device; without force where it was not good, in this run.
 /// `whose`: how the sentence that says so begins.
 void take_trial(RunHand& hand, const std::string& whose, const FirstUse& trial, bool asked,

@@ -346,7 +346,7 @@ Expected<HeadlessOutcome> run_in_real_time(LessonRun& run, const HeadlessSetting
         FrameInput input;
         input.time_s = now_s;
         const auto report = run.exchange_frame(input);
-        if (const std::string notice = run.take_device_notice(); !notice.empty()) {
+        if (const std::string notice = take_device_notice(run.hands()); !notice.empty()) {
             std::fprintf(stderr, "%s\n", notice.c_str());
         }
         if (!report) {

@@ -24,7 +24,7 @@ bool LessonInput::asked() const {
 
 void LessonInput::take(WindowEvents events, bool failed, const PictureSize& size, double dt_s) {
     if (events.lost_focus && run_ != nullptr) {
-        stop_.lose_focus(run_->renders_force());
+        stop_.lose_focus(renders_force(run_->hands()));
     }
     take_pointer_keys(events, size, dt_s);
     for (const KeyPress& press : events.pressed) {
@@ -113,7 +113,7 @@ void LessonInput::pick(int spot, const std::string& said) {
 }
 
 std::optional<std::size_t> LessonInput::keys_hand() const {
-    return run_ != nullptr ? run_->find_hand(HandKind::keys) : std::nullopt;
+    return run_ != nullptr ? find_hand(run_->hands(), HandKind::keys) : std::nullopt;
 }
 
 double LessonInput::depth_m(const Camera& camera, std::size_t hand, double wheel_m) const {
@@ -175,7 +175,7 @@ void LessonInput::point(const WindowEvents& events, const PictureSize& size) {
 }
 
 void LessonInput::point_by_mouse(const WindowEvents& events, const Camera& camera) {
-    const auto hand = run_->find_hand(HandKind::mouse);
+    const auto hand = find_hand(run_->hands(), HandKind::mouse);
     if (!hand) {
         return;
     }
@@ -195,7 +195,7 @@ std::vector<ScreenOrder> LessonInput::take_orders() {
 
 Expected<FrameInput> LessonInput::take_frame(double now_s) {
     if (std::exchange(wants_choices_, false) && asked() && choices_.empty()) {
-        auto choices = run_->make_choices();
+        auto choices = run_->aside().make_choices();
         if (!choices) {
             return tl::unexpected(choices.error());
         }

@@ -3,13 +3,15 @@
 //   lesson's process -> description -> plan -> hands, effects, recorder -> session
 //
 // A run is a list of hands (run_hand.h), a list of running effects (run_effects.h) and what happens in a frame. It owns no thread and no
-// clock: a driver (headless.h, live_loops.h) calls the loops. `frame` halves belong to the lesson loop, `hands_loop` and the effects' loops
+// clock: a driver (headless.h, live_loops.h) calls them. `frame` halves belong to the lesson loop, rounds and effects
 // to their threads or to the same virtual clock.
 #pragma once
 
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
+#include "runtime/app/lesson_aside.h"
 #include "runtime/app/lesson_bodies.h"
+#include "runtime/app/lesson_frame.h"
 #include "runtime/app/places.h"
 #include "runtime/app/run_effects.h"
 #include "runtime/app/run_hand.h"
@@ -19,7 +21,6 @@
 #include "runtime/app/run_request.h"
 #include "runtime/app/run_rounds.h"
 #include "runtime/app/run_why.h"
-#include "runtime/lesson/answer_choices.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lua/process/lesson_process.h"
 #include "runtime/progress/store.h"
@@ -29,26 +30,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fulcrum::runtime {
-
-/// What came in since the last frame besides the hand.
-struct FrameInput {
-    double time_s = 0.0;
-    std::vector<std::string> keys;
-    std::optional<std::string> typed;
-    double wheel = 0.0;  ///< notches, away from the user is +
-};
-
-/// What a frame asks of the driver.
-struct FrameReport {
-    std::vector<std::string> sounds;
-    std::vector<std::string> printed;
-    std::vector<std::string> said;
-    std::vector<std::string> spoken;  ///< aloud, by who has a voice
-};
 
 class LessonRun {
   public:
@@ -72,14 +56,6 @@ class LessonRun {
     [[nodiscard]] HapticChannels& channels() { return hands_.front()->channels; }
     [[nodiscard]] HandDevice& hand() { return *hands_.front()->device; }
     [[nodiscard]] const HandDevice& hand() const { return *hands_.front()->device; }
-    /// The limits that hold for a hand.
-    [[nodiscard]] const SafetySettings& limits_of(std::size_t hand) const {
-        return plan().of_hand(hand).safety;
-    }
-    /// The hand that is moved so, counted from 0; none where no hand is.
-    [[nodiscard]] std::optional<std::size_t> find_hand(HandKind kind) const;
-    /// Whether any hand's device gives forces.
-    [[nodiscard]] bool renders_force() const;
     /// Whether the learner holds the mouse, or the arm, in the left hand.
     [[nodiscard]] bool left_handed() const {
         return hands_.front()->fit.left_handed.value_or(false);
@@ -107,20 +83,11 @@ class LessonRun {
     [[nodiscard]] Expected<void> begin_frame(const FrameInput& input);
     [[nodiscard]] std::optional<Expected<FrameReport>> poll_frame();
 
-    // While no answer is outstanding.
-    /// The lesson's verdict about a meaning, as things stand; nothing else comes of it.
-    [[nodiscard]] Expected<bool> ask_verdict(const JudgeEvent& judge);
-    /// Likewise what the lesson tells who asks for something; empty where it does not know that.
-    [[nodiscard]] Expected<std::string> ask_knowledge(const AskedEvent& asked);
-    /// The lesson hears of the event as of any other; what it replies is not done. An error is the lesson's own.
-    [[nodiscard]] Expected<void> happen_aside(const LessonEvent& event);
-    /// Answers to the question of now to choose from; none where nothing is asked.
-    [[nodiscard]] Expected<std::vector<AnswerChoice>> make_choices();
+    /// While no answer is outstanding.
+    [[nodiscard]] LessonAside aside() const { return {*process_, *session_}; }
     /// What the simulated pupil says to the question that is open, or asks while none is, when it is time for it; given once.
     [[nodiscard]] Expected<std::optional<std::string>> hear_pupil(double time_s);
 
-    /// Somebody at a desk plays: what the newest reply of the first simulated hand wants; nothing before the first. Taken, its key is pressed.
-    [[nodiscard]] std::optional<HandWish> take_wish();
     /// Makes the force fade at once and stay away: the lesson has failed with this sentence.
     void fail_softly(const std::string& sentence);
     /// The same where all is well: the lesson is left.
@@ -129,12 +96,6 @@ class LessonRun {
     [[nodiscard]] double fade_shown_s() const;
     /// The first hand's last gate as the lesson loop knows it.
     [[nodiscard]] GatePhase gate() const { return hands_.front()->state().gate; }
-    /// True while a device gives no poses or takes no forces.
-    [[nodiscard]] bool device_is_lost() const;
-    /// True while a force or a torque waits at any gate for its hand to rest.
-    [[nodiscard]] bool holds_back() const;
-    /// What has happened to the hands' devices since the last call, a sentence; empty when nothing has.
-    [[nodiscard]] std::string take_device_notice();
     /// Rounds that the recorder was too slow for.
     [[nodiscard]] std::uint64_t n_rounds_dropped() const {
         return recorder_ ? recorder_->dropped() : 0;
@@ -143,8 +104,12 @@ class LessonRun {
     [[nodiscard]] const ReplayCheck* replay_check(std::size_t hand = 0) const {
         return recorder_ ? recorder_->check(hand) : nullptr;
     }
-    /// When that record ends, on the run's clock; nothing where none is repeated, or an old one.
-    [[nodiscard]] std::optional<double> replay_end_s() const;
+    /// When the record ends that is repeated, on the run's clock; nothing where none is, or an old one.
+    [[nodiscard]] std::optional<double> replay_end_s() const {
+        const ReplayedInput* const replayed = pupil_.replayed();
+        return replayed != nullptr ? rounds_.replay_end_s(replayed->record(), plan().haptic.rate_hz)
+                                   : std::nullopt;
+    }
     /// Closes the record.
     [[nodiscard]] Expected<void> finish_record();
 
@@ -157,18 +122,12 @@ class LessonRun {
     LessonRun() = default;
     // In this order.
     [[nodiscard]] Expected<void> load(const Places& places, RunRequest& request);
-    [[nodiscard]] Expected<void> open_hands(const RunOrder& order, ProgressStore& store);
-    [[nodiscard]] Expected<void> open_hand(const RunOrder& order, ProgressStore& store,
-                                           std::size_t hand);
     [[nodiscard]] Expected<void> build_loops(const RunOrder& order);
     [[nodiscard]] Expected<void> build_session(const RunRequest& request, ProgressStore& store,
                                                const dialogue::Catalogue& catalogue);
-    void say_what_was_done(const RunRequest& request);
 
     [[nodiscard]] Expected<SessionInput> gather(const FrameInput& input);
     [[nodiscard]] Expected<FrameReport> conclude(const LessonReply& reply);
-    void lead_hands(const SessionOutput& output);
-    [[nodiscard]] Expected<LessonReply> ask_aside(const LessonEvent& event);
 
     std::unique_ptr<LessonProcess> process_;
     RunPlan plan_;

@@ -163,7 +163,7 @@ Left LessonScreen::play() {
             options_.seconds && monotonic_now_s() - since_s >= *options_.seconds;
         save_wanted_screenshot(time_is_up);
         if (desktop_.sound) {
-            const bool unfelt = run_ && !run_->renders_force();
+            const bool unfelt = run_ && !renders_force(run_->hands());
             desktop_.sound->set_force_sound(
                 unfelt && error_.empty() ? last_view_.force.force_W.norm() : 0.0);
         }
@@ -248,7 +248,7 @@ void LessonScreen::exchange() {
     if (!run_ || !error_.empty()) {
         return;
     }
-    say(run_->take_device_notice());
+    say(take_device_notice(run_->hands()));
     const double now_s = monotonic_now_s() - epoch_s_;
     if (!run_->process().waits_for_reply() && now_s >= next_frame_s_) {
         const auto sent = input_.take_frame(now_s).and_then(
@@ -331,9 +331,9 @@ ScreenTrouble LessonScreen::find_trouble() const {
     trouble.is_stopped = input_.stopped();
     if (run_) {
         trouble.waited_s = run_->process().waited_s();
-        trouble.device_is_lost = run_->device_is_lost();
+        trouble.device_is_lost = device_is_lost(run_->hands());
         trouble.is_unkept = !run_->session().store_trouble().empty();
-        trouble.holds_back = run_->holds_back();
+        trouble.holds_back = holds_back(run_->hands(), run_->plan());
     }
     return trouble;
 }
@@ -357,8 +357,8 @@ BeginHelp LessonScreen::find_begin_help() const {
     const bool is_hid = request_.hand == HandKind::hid;
     const bool is_cap = is_hid && request_.hid.form == hid::HandForm::space_mouse;
     BeginHelp help;
-    help.has_mouse = run_->find_hand(HandKind::mouse).has_value();
-    help.has_keys = run_->find_hand(HandKind::keys).has_value();
+    help.has_mouse = find_hand(run_->hands(), HandKind::mouse).has_value();
+    help.has_keys = find_hand(run_->hands(), HandKind::keys).has_value();
     help.has_cap = is_cap;
     help.has_stick = is_hid && !is_cap;
     help.has_reel = run_->plan().kite.has_value();

@@ -39,7 +39,7 @@ Expected<bool> verdict_on(LessonRun& run, const std::string& question, dialogue:
     }
     std::vector<bool> verdicts;
     for (const dialogue::Slots& reading : dialogue::readings_of(mark)) {
-        const auto verdict = run.ask_verdict({question, reading});
+        const auto verdict = run.aside().ask_verdict({question, reading});
         if (!verdict) {
             return verdict;
         }
@@ -124,7 +124,7 @@ Expected<void> ask_everything(LessonRun& run, const Knowledge& known,
         if (!asked) {
             continue;
         }
-        const auto told = run.ask_knowledge({asked->knowledge, asked->mark.slots});
+        const auto told = run.aside().ask_knowledge({asked->knowledge, asked->mark.slots});
         if (!told) {
             Error error = told.error();
             error.message = "what the lesson knows as \"" + asked->knowledge + "\", asked \"" +

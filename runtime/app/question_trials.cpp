@@ -35,7 +35,7 @@ Expected<std::size_t> QuestionTrials::count_right(const QuestionDescription& des
                                                   const std::vector<dialogue::Meaning>& meanings) {
     std::size_t n = 0;
     for (const dialogue::Meaning& meaning : meanings) {
-        const auto verdict = run_.ask_verdict({described.id, meaning.slots});
+        const auto verdict = run_.aside().ask_verdict({described.id, meaning.slots});
         if (!verdict) {
             return when(head_of(described) + ", tried with \"" + meaning.said + "\"",
                         verdict.error());
@@ -54,7 +54,7 @@ Expected<void> QuestionTrials::try_help(const QuestionDescription& described,
         if (told.empty() || has_gap || told.ends_with('?') || !mark.understood) {
             continue;
         }
-        const auto verdict = run_.ask_verdict({described.id, mark.slots});
+        const auto verdict = run_.aside().ask_verdict({described.id, mark.slots});
         if (!verdict) {
             return when(head_of(described) + ", tried with \"" + told + "\"", verdict.error());
         }
@@ -146,7 +146,7 @@ Expected<void> try_events(LessonRun& run) {
     constexpr std::array kKeys = {"space", "return", "left", "right", "up", "down", "a", "1"};
     // While a question is open, keys are letters of the answer.
     for (std::size_t i = 0; i < kKeys.size() && !run.session().hud().question_open; ++i) {
-        if (auto happened = run.happen_aside(KeyEvent{kKeys[i]}); !happened) {
+        if (auto happened = run.aside().happen(KeyEvent{kKeys[i]}); !happened) {
             return when("when the key \"" + std::string(kKeys[i]) + "\" is pressed",
                         happened.error());
         }
@@ -158,7 +158,7 @@ Expected<void> try_events(LessonRun& run) {
             continue;
         }
         const BodyEvent touch{BodyEvent::Kind::touched, static_cast<std::int32_t>(i), 0.1};
-        if (auto happened = run.happen_aside(touch); !happened) {
+        if (auto happened = run.aside().happen(touch); !happened) {
             return when("when \"" + bodies[i].name + "\" is touched", happened.error());
         }
     }

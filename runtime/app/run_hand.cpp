@@ -1,5 +1,7 @@
 #include "runtime/app/run_hand.h"
 
+#include <algorithm>
+
 namespace fulcrum::runtime {
 
 // What the last gate lets through is the least of device, place and lesson.
@@ -14,6 +16,16 @@ void RunHand::build_loop(const Plan& plan, const HapticPlan& own, bool is_told) 
     limits.max_force_N = loop->max_force_N();
     limits.max_torque_Nm = loop->max_torque_Nm();
     device->keep_limits(limits);
+}
+
+void RunHand::measure(const std::string& name, std::vector<PlanStage>& stages) const {
+    for (const StageInfo& built : loop->stages()) {
+        for (PlanStage& planned : stages) {
+            if (planned.loop == name && planned.name == name_of(built.stage)) {
+                planned.memory_bytes = built.bytes;
+            }
+        }
+    }
 }
 
 HapticState RunHand::seen() const {
@@ -53,6 +65,14 @@ bool RunHand::holds_back(const SafetySettings& limits) const {
            asks;
 }
 
+std::optional<HandWish> RunHand::take_wish() {
+    std::optional<HandWish> taken = wish;
+    if (wish) {
+        wish->key.clear();
+    }
+    return taken;
+}
+
 void RunHand::aim(const HandWish& wanted) {
     device->follow(wanted.target_W, wanted.buttons);
     wish = wanted;
@@ -70,6 +90,84 @@ auto of_each(const RunHands& hands, const Take& take) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> find_hand(const RunHands& hands, HandKind kind) {
+    const auto find = [&](auto&& is_it) -> std::optional<std::size_t> {
+        const auto found =
+            std::ranges::find_if(hands, [&](const auto& hand) { return is_it(*hand->device); });
+        return found == hands.end()
+                   ? std::nullopt
+                   : std::optional(static_cast<std::size_t>(found - hands.begin()));
+    };
+    const auto of_kind = find([&](const HandDevice& device) { return device.kind() == kind; });
+    return of_kind || kind != HandKind::mouse
+               ? of_kind
+               : find([](const HandDevice& device) { return device.stands_in(); });
+}
+
+bool renders_force(const RunHands& hands) {
+    return std::ranges::any_of(hands,
+                               [](const auto& hand) { return hand->device->renders_force(); });
+}
+
+bool device_is_lost(const RunHands& hands) {
+    return std::ranges::any_of(hands, [](const auto& hand) { return hand->is_lost(); });
+}
+
+bool holds_back(const RunHands& hands, const Plan& plan) {
+    for (std::size_t hand = 0; hand < hands.size(); ++hand) {
+        if (hands[hand]->holds_back(plan.of_hand(hand).safety)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string take_device_notice(const RunHands& hands) {
+    std::string notice;
+    for (const auto& hand : hands) {
+        if (const std::string more = hand->device->take_notice(); !more.empty()) {
+            notice += (notice.empty() ? "" : " ");
+            notice += (hand == hands.front() ? "" : "The second hand: ") + more;
+        }
+    }
+    return notice;
+}
+
+void look(const RunHands& hands, SessionInput& gathered) {
+    for (const auto& hand : hands) {
+        hand->channels.state_for_lesson.take();
+        if (hand == hands.front()) {
+            gathered.hand = hand->seen();
+        } else {
+            gathered.more_hands.push_back(hand->seen());
+        }
+    }
+}
+
+void lead(const RunHands& hands, const SessionOutput& output, const std::optional<Vector3>& sees) {
+    if (output.has_hand_target) {
+        hands.front()->device->see(sees);
+        hands.front()->aim({output.hand_target_W, output.hand_buttons, output.hand_key});
+    }
+    const std::size_t n = std::min(output.more_aims.size(), hands.size() - 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (const HandAim& aim = output.more_aims[i]; aim.is_given) {
+            hands[i + 1]->aim({aim.target_W, aim.buttons, {}});
+        }
+    }
+}
+
+void show(const RunHands& hands, Scenery& scenery) {
+    const HandScenery first = hands.front()->scenery();
+    scenery.hand = first.hand;
+    scenery.renders_force = hands.front()->device->renders_force();
+    scenery.ghost = first.ghost;
+    scenery.ghost_pose_W = first.ghost_pose_W;
+    for (std::size_t i = 1; i < hands.size(); ++i) {
+        scenery.more_hands.push_back(hands[i]->scenery());
+    }
+}
 
 std::vector<HapticChannels*> channels_of(const RunHands& hands) {
     return of_each(hands, [](RunHand& hand) -> HapticChannels* { return &hand.channels; });

@@ -9,6 +9,7 @@
 #include "runtime/app/hand_device.h"
 #include "runtime/lesson/hand_fit.h"
 #include "runtime/lesson/scenery.h"
+#include "runtime/lesson/session.h"
 
 #include <memory>
 #include <optional>
@@ -38,6 +39,8 @@ struct RunHand {
     [[nodiscard]] HapticChannels& loop_channels() { return told ? *told : channels; }
     /// `is_told`: a record tells the loop what it is told.
     void build_loop(const Plan& plan, const HapticPlan& own, bool is_told);
+    /// Fills in how much memory the loop, of that name in the plan, uses for each of its stages.
+    void measure(const std::string& name, std::vector<PlanStage>& stages) const;
     /// As of the lesson's last frame.
     [[nodiscard]] const HapticState& state() const { return channels.state_for_lesson.value(); }
     /// The hand as lesson and picture see it: one without motors with what would be felt, for no force can hurt there, and a gate that
@@ -51,12 +54,30 @@ struct RunHand {
     [[nodiscard]] bool is_lost() const;
     /// True while a force or a torque waits at the gate, which has these limits, for the hand to rest.
     [[nodiscard]] bool holds_back(const SafetySettings& limits) const;
+    /// What the newest reply of the lesson's simulated hand wants of somebody at a desk; nothing before the first. Taken, its key is pressed.
+    [[nodiscard]] std::optional<HandWish> take_wish();
     /// The lesson's simulated hand goes there.
     void aim(const HandWish& wanted);
 };
 
 using RunHands = std::vector<std::unique_ptr<RunHand>>;
 
+/// The hand that is moved so, counted from 0; none where no hand is. What was unplugged is moved by the mouse.
+[[nodiscard]] std::optional<std::size_t> find_hand(const RunHands& hands, HandKind kind);
+/// Whether any hand's device gives forces.
+[[nodiscard]] bool renders_force(const RunHands& hands);
+/// True while a device gives no poses or takes no forces.
+[[nodiscard]] bool device_is_lost(const RunHands& hands);
+/// True while a force or a torque waits at any gate for its hand to rest.
+[[nodiscard]] bool holds_back(const RunHands& hands, const Plan& plan);
+/// What has happened to the devices since the last call, a sentence; empty when nothing has.
+[[nodiscard]] std::string take_device_notice(const RunHands& hands);
+/// Takes what the loops tell the lesson of them.
+void look(const RunHands& hands, SessionInput& gathered);
+/// Simulated ones go where their scripts want, and the first one, on an arm on which things break, to what it `sees`.
+void lead(const RunHands& hands, const SessionOutput& output, const std::optional<Vector3>& sees);
+/// Where the hands are, as they are drawn.
+void show(const RunHands& hands, Scenery& scenery);
 // Of each of them.
 [[nodiscard]] std::vector<HapticChannels*> channels_of(const RunHands& hands);
 [[nodiscard]] std::vector<const HapticLoop*> loops_of(const RunHands& hands);

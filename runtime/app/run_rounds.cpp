@@ -38,6 +38,16 @@ PeriodicTask& RunRounds::task() {
                     : *one_;
 }
 
+std::optional<double> RunRounds::replay_end_s(const Record& record, double rate_hz) const {
+    if (record.samples.empty()) {
+        return std::nullopt;
+    }
+    // Half a round behind the last one, so that it is the last here too.
+    constexpr double kHalf = 0.5;
+    return told_ ? (static_cast<double>(told_->n_rounds()) - kHalf) / rate_hz
+                 : record.samples.back().time_s + kHalf / rate_hz;
+}
+
 void RunRounds::step(double now_s, StageListener& listener) {
     if (told_) {
         return told_->step_observed(now_s, listener);

@@ -9,6 +9,7 @@
 #include "runtime/app/told_replay.h"
 
 #include <memory>
+#include <optional>
 
 namespace fulcrum::runtime {
 
@@ -20,8 +21,8 @@ class RunRounds {
     [[nodiscard]] PeriodicTask& task();
     /// The same round, told stage by stage.
     void step(double now_s, StageListener& listener);
-    /// What tells the loops all that they were told; null where no record does.
-    [[nodiscard]] const ToldReplay* told() const { return told_.get(); }
+    /// When the record ends that the first hand repeats, on the run's clock, which has so many rounds a second.
+    [[nodiscard]] std::optional<double> replay_end_s(const Record& record, double rate_hz) const;
 
   private:
     HapticLoop* one_ = nullptr;             // of the first hand

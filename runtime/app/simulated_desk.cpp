@@ -152,7 +152,7 @@ void SimulatedDesk::move(const HandWish& wish, double dt_s, WindowEvents& events
 
 // The other hand's pointer is the keys' own; wheel, letters and buttons of the mouse are left alone.
 void SimulatedDesk::move_by_keys(const HandWish& wish, double dt_s, WindowEvents& events) {
-    if (run_.find_hand(HandKind::keys) != 1U) {
+    if (find_hand(run_.hands(), HandKind::keys) != 1U) {
         return;
     }
     const Camera camera(run_.description().camera, kPicture.width_px, kPicture.height_px);
@@ -175,7 +175,7 @@ Expected<FrameInput> SimulatedDesk::step(double now_s, double dt_s) {
     WindowEvents events;
     events.pointer_x_px = pointer_px_.x();
     events.pointer_y_px = pointer_px_.y();
-    const auto wish = run_.take_wish();
+    const auto wish = run_.hand_at(0).take_wish();
     if (run_.hands().size() > 1 && run_.hand_at(1).wish) {
         move_by_keys(*run_.hand_at(1).wish, dt_s, events);
     }
