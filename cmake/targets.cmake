@@ -20,14 +20,14 @@ endfunction()
 
 # fulcrum_library(NAME folder [DEPENDS ...]): one static library from every .cpp under folder (tests live elsewhere),
 # with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries; APART: see join_sources.cmake.
-# ROOMS: with the sources of that name of every effect's room, whose parts lie in the libraries of their layer.
+# ROOMS: with the parts of that name of every effect's room (plan: plan_kite.cpp), which lie in the libraries of their layers.
 # FAST: what runs in haptic rounds and for each picture. The others wait for a person or a file anyway, and compile in three
 # quarters of the time so.
 function(fulcrum_library name folder)
   cmake_parse_arguments(arg "FAST" "" "DEPENDS;EXCLUDE;PRIVATE;APART;ROOMS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   foreach(part IN LISTS arg_ROOMS)
-    file(GLOB of_rooms CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/runtime/effect/*/${part}.cpp)
+    file(GLOB of_rooms CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/runtime/effect/*/${part}_*.cpp)
     list(APPEND sources ${of_rooms})
   endforeach()
   foreach(pattern IN LISTS arg_EXCLUDE)

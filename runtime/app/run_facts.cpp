@@ -6,11 +6,11 @@
 #include "haptics/tool/tool_plan.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/app/program_build.h"
+#include "runtime/effect/tool/check_tool.h"
+#include "runtime/effect/tool/plan_tool.h"
 #include "runtime/evidence/record_words.h"
 #include "runtime/evidence/replay_check.h"
 #include "runtime/lesson/learner_feedback.h"
-#include "runtime/scene/check_tool.h"
-#include "runtime/scene/plan_tool.h"
 #include "runtime/scene/shape_models.h"
 
 #include <array>

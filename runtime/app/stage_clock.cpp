@@ -2,7 +2,7 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/app/tool_lacks.h"
-#include "runtime/scene/check_tool.h"
+#include "runtime/effect/tool/check_tool.h"
 #include "runtime/scene/plan_hands.h"
 
 #include <algorithm>

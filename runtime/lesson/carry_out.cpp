@@ -1,5 +1,6 @@
 // What each command of a lesson does, and how a question is asked.
 #include "runtime/lesson/session.h"
+#include "runtime/lesson/undeclared.h"
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace {
 
 bool is_index(std::int32_t index, std::size_t size) {
     return index >= 0 && static_cast<std::size_t>(index) < size;
-}
-
-tl::unexpected<Error> undeclared() {
-    return fail("the lesson named something that it never declared", "lesson.lua",
-                "use the bodies, forces and questions that L:start and L:question made");
 }
 
 }  // namespace
@@ -41,64 +37,16 @@ Expected<void> LessonSession::carry_out(const CoverCommand& command, SessionOutp
     return {};
 }
 
-// The axles are in the order of the bodies that have one.
 Expected<void> LessonSession::carry_out(const TurnCommand& command, SessionOutput&) {
-    if (!is_index(command.body, description_.bodies.size()) ||
-        !description_.bodies[static_cast<std::size_t>(command.body)].hinge) {
-        return undeclared();
-    }
-    const auto body = description_.bodies.begin() + command.body;
-    const auto axle = static_cast<std::size_t>(
-        std::count_if(description_.bodies.begin(), body,
-                      [](const BodyDescription& b) { return b.hinge.has_value(); }));
-    AxleOrder& order = axles_.axles[axle];
-    if (!order.is_set) {
-        order.pivot_B = body->hinge->pivot_B;
-        order.load_N = body->hinge->load_N;
-        order.is_set = true;
-    }
-    if (command.angle_rad) {
-        order.angle_rad = *command.angle_rad;
-        ++order.n_angles;
-    }
-    if (command.spin_rad_per_s) {
-        order.spin_rad_per_s = *command.spin_rad_per_s;
-        ++order.n_spins;
-    }
-    if (command.pivot_W) {
-        order.pivot_B = *command.pivot_W - body->position_W;
-    }
-    order.load_N = command.load_N.value_or(order.load_N);
-    return {};
+    return hinges_.carry_out(command);
 }
 
-Expected<void> LessonSession::carry_out(const KiteCommand& command, SessionOutput& output) {
-    if (!description_.kite) {
-        return undeclared();
-    }
-    if (command.design) {
-        if (auto fits = validate(*command.design); !fits) {
-            return fits;
-        }
-        output.kite_design = hud_.kite_design = command.design;
-    }
-    if (command.launch_elevation_rad) {
-        kite_.elevation_rad = *command.launch_elevation_rad;
-        ++kite_.n_launches;
-    }
-    kite_.line_m =
-        std::clamp(command.line_m.value_or(kite_.line_m), kShortestReel_m, kLongestReel_m);
-    kite_.n_cuts += command.cut ? 1U : 0U;
-    hud_.shows_kite_forces = command.shows_forces.value_or(hud_.shows_kite_forces);
-    return {};
+Expected<void> LessonSession::carry_out(const KiteCommand& command, SessionOutput&) {
+    return kite_.carry_out(command);
 }
 
 Expected<void> LessonSession::carry_out(const WindCommand& command, SessionOutput&) {
-    if (!description_.kite) {
-        return undeclared();
-    }
-    kite_.wind_m_per_s = command.speed_m_per_s;
-    return {};
+    return kite_.carry_out(command);
 }
 
 Expected<void> LessonSession::carry_out(const FieldChangeCommand& command, SessionOutput&) {

@@ -1,7 +1,7 @@
 #include "runtime/lesson/compose_view.h"
 
 #include "haptics/math/length.h"
-#include "runtime/lesson/show_kite.h"
+#include "runtime/effect/kite/show_kite.h"
 #include "runtime/lesson/tool_extent.h"
 #include "runtime/scene/shape_models.h"
 #include "runtime/text/amounts.h"

@@ -34,18 +34,15 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
       knowledge_(std::move(knowledge)),
       told_about_(description_.bodies.size(), false),
       log_(std::move(log)),
-      speech_(Speech::build(plan)) {
+      speech_(Speech::build(plan)),
+      hinges_(description_),
+      kite_(description_) {
     // Until the lesson says otherwise every declared force is on, where it was declared.
     for (std::size_t i = 0; i < description_.forces.size(); ++i) {
         force_.fields[i].anchor_W = description_.forces[i].field.anchor_W;
     }
     hud_.covered.resize(description_.bodies.size(), false);
-    if (description_.kite) {
-        kite_.elevation_rad = description_.kite->elevation_rad;
-        kite_.line_m = description_.kite->flight.line.length_m;
-        kite_.wind_m_per_s = description_.wind.speed_m_per_s;
-        hud_.kite_design = description_.kite->flight.kite;
-    }
+    hud_.kite = kite_.seen();
     ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}, plan.day, std::move(past)};
     for (const MaterialFacts& facts : plan.material_facts) {
         ready.materials.push_back(
@@ -120,13 +117,8 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
         }
     }
 
-    if (input.axles != nullptr) {
-        take_hinges(*input.axles);
-    }
-
-    if (description_.kite) {
-        take_kite(input);
-    }
+    hinges_.take(input, frame_);
+    kite_.take(input, frame_);
 
     log_.look_for_trouble();
     speech_.step(input.dt_s);
@@ -145,45 +137,6 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     frame_.events = std::move(queued_);
     queued_.clear();
     return frame_;
-}
-
-// The bodies on hinges as the haptic loop has turned them.
-void LessonSession::take_hinges(const AxleFrame& axles) {
-    frame_.hinges.clear();
-    std::size_t axle = 0;
-    for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
-        if (!description_.bodies[i].hinge || axle >= axles.axles.size()) {
-            continue;
-        }
-        const AxleReport& report = axles.axles[axle++];
-        const double force_N = report.force_W.norm();
-        frame_.hinges.push_back({report.angle_rad, report.spin_rad_per_s, report.torque_Nm,
-                                 force_N > 0.0 ? std::abs(report.torque_Nm) / force_N : 0.0,
-                                 report.load_torque_Nm, report.inertia_kg_m2});
-        if (axles.n_axles > 0 && frame_.bodies[i].where == BodyWhere::placed) {
-            frame_.bodies[i].pose_W = report.pose_W;
-        }
-    }
-}
-
-// How the kite flies, and how the hand turns its reel: by the wheel, by the first button out and by the second one in.
-void LessonSession::take_kite(const SessionInput& input) {
-    constexpr std::uint32_t kOut = 1U;
-    constexpr std::uint32_t kIn = 2U;
-    const double turning = ((input.hand.buttons & kOut) != 0 ? 1.0 : 0.0) -
-                           ((input.hand.buttons & kIn) != 0 ? 1.0 : 0.0);
-    kite_.line_m = std::clamp(
-        kite_.line_m + kReelByNotch_m * input.wheel + kReelByButton_m_per_s * turning * input.dt_s,
-        kShortestReel_m,
-        std::min(kLongestReel_m, kLongestLineShare * description_.kite->flight.line.length_m));
-    if (input.kite == nullptr) {
-        return;
-    }
-    const KiteReport& report = input.kite->report;
-    frame_.kite = KiteState{report.centre_W,     report.velocity_W, report.weight_W,
-                            report.lift_W,       report.drag_W,     report.tension_W,
-                            report.hand_force_W, report.wind_W,     report.angle_of_attack_rad,
-                            report.line_m,       report.is_snapped};
 }
 
 void LessonSession::queue_world_events(const std::vector<WorldEvent>& events) {
@@ -317,8 +270,9 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     force_.stamp_s = time_s_;
     force_.lesson_alive = true;
     output.force = force_;
-    output.axles = axles_;
-    output.kite = kite_;
+    hinges_.order(output);
+    kite_.order(output);
+    hud_.kite = kite_.seen();
     output.spoken = speech_.take_spoken();
     for (std::string& trouble : speech_.take_troubles()) {
         output.printed.push_back(std::move(trouble));

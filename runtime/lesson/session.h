@@ -11,16 +11,16 @@
 
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
-#include "haptics/handover/messages.h"
-#include "runtime/lesson/effect_messages.h"
+#include "runtime/effect/hinge/play_hinges.h"
+#include "runtime/effect/kite/play_kite.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/question_dialogue.h"
 #include "runtime/lesson/session_log.h"
+#include "runtime/lesson/session_messages.h"
 #include "runtime/lesson/speech.h"
 #include "runtime/lesson/transcript.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/description.h"
-#include "runtime/scene/lesson_messages.h"
 #include "runtime/scene/plan.h"
 
 #include <cstdint>
@@ -31,61 +31,6 @@
 #include <vector>
 
 namespace fulcrum::runtime {
-
-/// What happened since the last frame.
-struct SessionInput : EffectFrames {
-    double time_s = 0.0;
-    double dt_s = 0.0;
-    HapticState hand{};
-    std::vector<HapticState> more_hands{};  ///< those beside it that are there
-    double wheel = 0.0;  ///< notches since the last frame, away from the user is +
-    std::vector<WorldEvent> world_events;
-    std::vector<std::string> keys;
-    std::optional<std::string>
-        heard;  ///< the learner's words, typed or scripted: for the recogniser
-};
-
-/// What is to be done before the next frame.
-struct SessionOutput : EffectOrders {
-    ForceCommand force{};
-    std::vector<std::string> sounds;
-    bool has_hand_target = false;  ///< the simulated hand's Lua gave one
-    Pose hand_target_W{};
-    std::uint32_t hand_buttons = 0;
-    std::string hand_key;  ///< that its other hand presses, once; none while a question is open
-    std::vector<HandAim> more_aims;  ///< of simulated hands beside it
-    std::vector<std::string> printed;
-    std::vector<std::string> spoken;  ///< what is to be said aloud
-    std::vector<std::string> said;    ///< what was shown, asked and answered, see transcript.h
-};
-
-/// What a learner sees of the lesson, apart from the bodies.
-struct SessionHud {
-    std::string caption;   ///< the one instruction
-    std::string feedback;  ///< the last answer's answer, *emphasised* where it teaches
-    bool question_open = false;
-    double question_asked_at_s = 0.0;
-    int score = 0;
-    int level = 0;
-    std::string level_title;
-    int stars = -1;        ///< 0 to 3 once the lesson is over
-    bool may_ask = false;  ///< the lesson knows things, and no question is open
-    bool invited = false;  ///< the answer was right; it may be said once more, and need not be
-    std::vector<bool> covered{};  ///< by body: under a cloth
-    bool shows_kite_forces = false;
-    std::optional<KiteSettings> kite_design{};  ///< the one that flies now, where one does
-};
-
-/// How one play went; what `fulcrum test` compares with what the lesson expects.
-struct SessionResult {
-    bool finished = false;
-    int stars = 0;
-    int score = 0;
-    int level = 0;
-    int attempts = 0;
-    int caught = 0;
-    int form_errors = 0;
-};
 
 class LessonSession {
   public:
@@ -131,8 +76,6 @@ class LessonSession {
                   const dialogue::Catalogue& catalogue, QuestionDialogue dialogue, SessionLog log,
                   std::optional<Knowledge> knowledge, std::vector<PastAnswers> past);
 
-    void take_hinges(const AxleFrame& axles);
-    void take_kite(const SessionInput& input);
     void queue_world_events(const std::vector<WorldEvent>& events);
     void queue_touch_events(const SessionInput& input);
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
@@ -180,8 +123,8 @@ class LessonSession {
 
     // What the lesson has asked for so far.
     ForceCommand force_{};
-    AxleOrders axles_{};
-    KiteOrders kite_{};
+    PlayedHinges hinges_;
+    PlayedKite kite_;
     SessionHud hud_{};
     SessionResult result_{};
 

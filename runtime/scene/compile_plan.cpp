@@ -1,13 +1,13 @@
 #include "runtime/scene/compile_plan.h"
 
 #include "haptics/field/field.h"
+#include "runtime/effect/kite/plan_kite.h"
+#include "runtime/effect/rigid/plan_rigid.h"
+#include "runtime/effect/surface/plan_touch.h"
+#include "runtime/effect/surface/plan_walls.h"
+#include "runtime/effect/tool/plan_tool.h"
 #include "runtime/scene/asked_by.h"
 #include "runtime/scene/plan_hands.h"
-#include "runtime/scene/plan_kite.h"
-#include "runtime/scene/plan_rigid.h"
-#include "runtime/scene/plan_tool.h"
-#include "runtime/scene/plan_touch.h"
-#include "runtime/scene/plan_walls.h"
 
 #include <algorithm>
 #include <cmath>

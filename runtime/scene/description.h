@@ -14,7 +14,7 @@
 #include "haptics/point/proxy_plan.h"
 #include "haptics/surface/material.h"
 #include "haptics/tool/tool_solver.h"
-#include "runtime/scene/kite_description.h"
+#include "runtime/effect/kite/kite_description.h"
 
 #include <array>
 #include <cstdint>

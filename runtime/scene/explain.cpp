@@ -1,8 +1,8 @@
 #include "runtime/scene/explain.h"
 
 #include "haptics/collision/collision_mesh.h"
+#include "runtime/effect/tool/plan_tool.h"
 #include "runtime/scene/body_shape.h"
-#include "runtime/scene/plan_tool.h"
 #include "runtime/text/amounts.h"
 
 #include <algorithm>

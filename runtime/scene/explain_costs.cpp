@@ -1,10 +1,10 @@
 // The half of explain.h that speaks of a run.
 #include "haptics/collision/collision_mesh.h"
+#include "runtime/effect/tool/check_tool.h"
+#include "runtime/effect/tool/plan_tool.h"
+#include "runtime/effect/tool/tool_bodies.h"
 #include "runtime/scene/body_shape.h"
-#include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
-#include "runtime/scene/plan_tool.h"
-#include "runtime/scene/tool_bodies.h"
 #include "runtime/text/amounts.h"
 #include "runtime/text/json.h"
 

@@ -1,7 +1,7 @@
 #include "runtime/scene/knobs.h"
 
 #include "haptics/tool/tool_plan.h"
-#include "runtime/scene/check_tool.h"
+#include "runtime/effect/tool/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_hands.h"
 #include "runtime/text/amounts.h"

@@ -6,8 +6,8 @@
 // The lesson's process is not trusted: the program checks every number, name and length of a reply.
 #pragma once
 
-#include "haptics/flight/kite.h"
 #include "haptics/handover/messages.h"
+#include "runtime/effect/kite/kite_messages.h"
 
 #include <cstdint>
 #include <optional>
@@ -106,21 +106,6 @@ struct HingeState {
     double inertia_kg_m2 = 0.0;   ///< about its axis where that lies now
 };
 
-/// How the kite flies: newtons, world frame (haptics/flight/kite_flight.h).
-struct KiteState {
-    Vector3 centre_W{Vector3::Zero()};
-    Vector3 velocity_W{Vector3::Zero()};
-    Vector3 weight_W{Vector3::Zero()};
-    Vector3 lift_W{Vector3::Zero()};
-    Vector3 drag_W{Vector3::Zero()};
-    Vector3 tension_W{Vector3::Zero()};
-    Vector3 hand_force_W{Vector3::Zero()};
-    Vector3 wind_W{Vector3::Zero()};  ///< at the kite
-    double angle_of_attack_rad = 0.0;
-    double line_m = 0.0;
-    bool is_snapped = false;
-};
-
 /// How a hand is.
 struct HandFrame {
     Pose tool_pose_W{};
@@ -162,18 +147,6 @@ struct TurnCommand {
     std::optional<double> spin_rad_per_s;
     std::optional<Vector3> pivot_W;
     std::optional<double> load_N;
-};
-/// Sets what is given of the kite. In this order: another design, which is launched; a launch; line; cut.
-struct KiteCommand {
-    std::optional<KiteSettings> design;
-    std::optional<double> launch_elevation_rad;
-    std::optional<double> line_m;
-    bool cut = false;
-    std::optional<bool> shows_forces;
-};
-/// Sets the wind's mean at 10 metres.
-struct WindCommand {
-    double speed_m_per_s = 0.0;
 };
 /// Switches or moves a declared force.
 struct FieldChangeCommand {

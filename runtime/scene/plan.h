@@ -8,11 +8,11 @@
 #include "haptics/dynamics/rigid_loop_plan.h"
 #include "haptics/dynamics/world_plan.h"
 #include "haptics/loop/haptic_plan.h"
+#include "runtime/effect/surface/stable_wall.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/listen_mode.h"
 #include "runtime/scene/picture/felt_pictures.h"
 #include "runtime/scene/site_limits.h"
-#include "runtime/scene/stable_wall.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "runtime/scene/plan_hands.h"
 
+#include "runtime/effect/surface/plan_touch.h"
+#include "runtime/effect/surface/plan_walls.h"
 #include "runtime/scene/asked_by.h"
-#include "runtime/scene/plan_touch.h"
-#include "runtime/scene/plan_walls.h"
 
 #include <algorithm>
 #include <string>

@@ -27,8 +27,9 @@ function complain(why) { print $1 ":" $2 ": " why; bad = 1 }
 # The layer of a part of an effect, or the path itself.
 function layer_of(path,    part) {
     return split(path, part, "/") != 4 || path !~ /^runtime\/effect\// ? path : \
-        part[4] ~ /^run_/ ? "runtime/app/" part[4] : part[4] ~ /^show_/ ? "runtime/lesson/" part[4] : \
-        part[4] ~ /^declare_/ ? "runtime/lua/api/" part[4] : part[4] ~ /^plan_/ ? "runtime/scene/" part[4] : path
+        part[4] ~ /^run_/ ? "runtime/app/" part[4] : part[4] ~ /^(play|show)_/ ? "runtime/lesson/" part[4] : \
+        part[4] ~ /^declare_/ ? "runtime/lua/api/" part[4] : part[4] ~ /^wire_/ ? "runtime/lua/wire/" part[4] : \
+        part[4] ~ /_fields\.h$/ ? path : "runtime/scene/" part[4]
 }
 # The inner room of a path, or nothing.
 function inner_of(path,    part, n) { path = layer_of(path); n = split(path, part, "/"); return n > 3 ? part[1] "/" part[2] "/" part[3] : "" }

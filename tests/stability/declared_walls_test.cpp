@@ -1,4 +1,4 @@
-// Every wall that a lesson may declare settles, as it is shipped: declared_wall.h has the trial, runtime/scene/stable_wall.h what the plan makes of a wall.
+// Every wall that a lesson may declare settles, as it is shipped: declared_wall.h has the trial, runtime/effect/surface/stable_wall.h what the plan makes of a wall.
 #include "tests/support/declared_wall.h"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "runtime/effect/field_list.h"
-#include "runtime/scene/kite_description.h"
+#include "runtime/effect/kite/kite_description.h"
 
 namespace fulcrum::runtime::fields {
 

@@ -1,7 +1,7 @@
 // A kite's flight beside the haptic loop, as the lesson launches, reels and builds it.
 #include "haptics/flight/kite_loop.h"
 #include "runtime/app/running_effect.h"
-#include "runtime/scene/plan_kite.h"
+#include "runtime/effect/kite/plan_kite.h"
 
 namespace fulcrum::runtime {
 namespace {

@@ -1,7 +1,7 @@
 // A body: what a lesson asks of it and reads from it.
 #include "haptics/math/length.h"
+#include "runtime/effect/hinge/declare_hinge.h"
 #include "runtime/lua/api/binding_table.h"
-#include "runtime/lua/api/hinge_place.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
 #include "runtime/lua/wire/wire_limits.h"

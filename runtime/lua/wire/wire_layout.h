@@ -2,14 +2,14 @@
 // for writer and reader.
 #pragma once
 
+#include "runtime/effect/asking/wire_questions.h"
 #include "runtime/effect/catch/bucket_fields.h"
 #include "runtime/effect/field/field_fields.h"
+#include "runtime/effect/kite/wire_kite.h"
 #include "runtime/effect/scene/scene_fields.h"
+#include "runtime/effect/surface/wire_surface.h"
 #include "runtime/lua/wire/wire_archive.h"
 #include "runtime/lua/wire/wire_fields.h"
-#include "runtime/lua/wire/wire_kite.h"
-#include "runtime/lua/wire/wire_questions.h"
-#include "runtime/lua/wire/wire_surface.h"
 #include "runtime/scene/lesson_messages.h"
 
 #include <algorithm>

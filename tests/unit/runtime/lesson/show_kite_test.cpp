@@ -1,5 +1,5 @@
 // A kite between loop, lesson and picture: what the lesson is told, what it orders, how the reel turns, what is seen.
-#include "runtime/lesson/show_kite.h"
+#include "runtime/effect/kite/show_kite.h"
 
 #include "haptics/flight/kite_loop.h"
 #include "runtime/scene/shape_models.h"
@@ -85,7 +85,7 @@ TEST_CASE("kite: the lesson is told how it flies, and orders what it says") {
     CHECK(output.kite.wind_m_per_s == 9.0);
     REQUIRE(output.kite_design);
     CHECK(output.kite_design->tail_m == 5.0);
-    CHECK(play.session->hud().shows_kite_forces);
+    CHECK(play.session->hud().kite.shows_forces);
     play.frame();
     output = play.reply();
     CHECK_FALSE(output.kite_design);  // once
@@ -135,9 +135,9 @@ TEST_CASE("kite: it is seen larger about its knot, with line, bridle, tail and w
     const LessonDescription lesson = with_kite();
     const KiteFrame flown = fly(10.0);
     SessionHud hud;
-    hud.kite_design = KiteSettings{};
+    hud.kite.design = KiteSettings{};
     const runtime::View view = look(lesson, hud, &flown);
-    CHECK(view.kite_design == hud.kite_design);
+    CHECK(view.kite_design == hud.kite.design);
     REQUIRE(count(view, kKiteModel) == 1);
     const auto kite = std::ranges::find(view.bodies, kKiteModel, &ViewBody::model);
     CHECK(kite->scale == Vector3::Constant(3.0));
@@ -159,7 +159,7 @@ TEST_CASE("kite: it is seen larger about its knot, with line, bridle, tail and w
     const Vector3 end_W =
         bar->pose_W.position + bar->pose_W.orientation * (bar->scale.y() * Vector3::UnitY());
     CHECK((end_W - flown.line_W[1]).norm() < 1e-9);
-    hud.kite_design->tail_m = 0.0;
+    hud.kite.design->tail_m = 0.0;
     CHECK(count(look(lesson, hud, &flown), kTailModel) == 0);
     CHECK(look(lesson, hud, nullptr).bodies.size() < 3);
 }
@@ -168,8 +168,8 @@ TEST_CASE("kite: its four forces are shown with their newtons where they act, wh
     const LessonDescription lesson = with_kite();
     KiteFrame flown = fly(20.0);
     SessionHud hud;
-    hud.kite_design = KiteSettings{};
-    hud.shows_kite_forces = true;
+    hud.kite.design = KiteSettings{};
+    hud.kite.shows_forces = true;
     const runtime::View view = look(lesson, hud, &flown);
     REQUIRE(view.forces.size() == 4);
     CHECK(view.forces[0].text == "lift " + newtons_text(flown.report.lift_W.norm()) + " N");
@@ -184,7 +184,7 @@ TEST_CASE("kite: the wind is seen by what it carries along, and calm air carries
     const LessonDescription lesson = with_kite();
     KiteFrame flown = fly(5.0);
     SessionHud hud;
-    hud.kite_design = KiteSettings{};
+    hud.kite.design = KiteSettings{};
     const runtime::View before = look(lesson, hud, &flown);
     flown.report.air_way_m += 0.5;
     const runtime::View after = look(lesson, hud, &flown);

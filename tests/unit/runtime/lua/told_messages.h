@@ -1,8 +1,8 @@
 // Messages of a lesson in words, by the wire's own layout of them: what a table can hold of a description or a reply.
 #pragma once
 
+#include "runtime/effect/tool/plan_tool.h"
 #include "runtime/lua/wire/wire_layout.h"
-#include "runtime/scene/plan_tool.h"
 #include "tests/support/table.h"
 
 #include <algorithm>

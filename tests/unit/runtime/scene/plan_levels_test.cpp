@@ -1,9 +1,9 @@
 // A tool whose contacts are found by contact levels of detail, as a plan has it.
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/tool/tool_plan.h"
+#include "runtime/effect/tool/plan_tool.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/explain.h"
-#include "runtime/scene/plan_tool.h"
 #include "tests/unit/runtime/scene/plan_scene.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "runtime/scene/plan_rigid.h"
+#include "runtime/effect/rigid/plan_rigid.h"
 
 #include "tests/unit/runtime/scene/plan_scene.h"
 

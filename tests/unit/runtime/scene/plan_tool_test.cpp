@@ -1,4 +1,4 @@
-#include "runtime/scene/plan_tool.h"
+#include "runtime/effect/tool/plan_tool.h"
 
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/tool/tool_plan.h"

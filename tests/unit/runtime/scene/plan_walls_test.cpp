@@ -1,5 +1,5 @@
 // Walls and springs that a device cannot hold, in the plan. That what it makes settles, tests/stability/declared_walls_test.cpp shows.
-#include "runtime/scene/plan_walls.h"
+#include "runtime/effect/surface/plan_walls.h"
 
 #include "tests/support/declared_wall.h"
 

@@ -1,5 +1,5 @@
 // What the plan makes of a wall that a device cannot hold. That what it makes settles, tests/stability/declared_walls_test.cpp shows.
-#include "runtime/scene/stable_wall.h"
+#include "runtime/effect/surface/stable_wall.h"
 
 #include "haptics/device/simulated/human_impedance.h"
 #include "haptics/device/simulated/simulated_arm.h"

@@ -1,7 +1,7 @@
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/tool/tool_plan.h"
+#include "runtime/effect/tool/tool_springs.h"
 #include "runtime/scene/explain.h"
-#include "runtime/scene/tool_springs.h"
 #include "tests/unit/runtime/rig.h"
 #include "tests/unit/runtime/scene/plan_scene.h"
 

@@ -1,8 +1,8 @@
+#include "runtime/effect/tool/check_tool.h"
+#include "runtime/effect/tool/tool_bodies.h"
+#include "runtime/effect/tool/tool_body_list.h"
+#include "runtime/effect/tool/tool_notices.h"
 #include "runtime/files/shape_cache.h"
-#include "runtime/scene/check_tool.h"
-#include "runtime/scene/tool_bodies.h"
-#include "runtime/scene/tool_body_list.h"
-#include "runtime/scene/tool_notices.h"
 #include "tests/unit/runtime/scene/plan_scene.h"
 
 using namespace fulcrum::runtime::test;

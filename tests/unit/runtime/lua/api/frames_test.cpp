@@ -1,8 +1,8 @@
 // What a lesson reads of a frame; what it declares and sends without one stands in described_table.txt.
 #include "dialogue/conversation/conversation.h"
 #include "haptics/math/rotation.h"
+#include "runtime/effect/rigid/declare_rigid.h"
 #include "runtime/lua/api/nouns.h"
-#include "runtime/lua/api/rigid_bodies.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 #include "tests/unit/runtime/lua/told_messages.h"
 #include "tests/unit/runtime/rig.h"

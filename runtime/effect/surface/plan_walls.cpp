@@ -1,4 +1,4 @@
-#include "runtime/scene/plan_walls.h"
+#include "runtime/effect/surface/plan_walls.h"
 
 #include "haptics/coupling/virtual_coupling.h"
 

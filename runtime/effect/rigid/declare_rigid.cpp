@@ -1,4 +1,4 @@
-#include "runtime/lua/api/rigid_bodies.h"
+#include "runtime/effect/rigid/declare_rigid.h"
 
 #include "haptics/dynamics/world_plan.h"
 #include "runtime/effect/body/body_fields.h"

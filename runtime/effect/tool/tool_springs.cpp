@@ -1,4 +1,4 @@
-#include "runtime/scene/tool_springs.h"
+#include "runtime/effect/tool/tool_springs.h"
 
 #include "haptics/coupling/tool_coupling.h"
 #include "haptics/coupling/virtual_coupling.h"

@@ -1,4 +1,4 @@
-#include "runtime/scene/check_tool.h"
+#include "runtime/effect/tool/check_tool.h"
 
 #include "runtime/scene/round_up.h"
 

@@ -1,11 +1,11 @@
-#include "runtime/scene/plan_touch.h"
+#include "runtime/effect/surface/plan_touch.h"
 
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/loop/axle_stage.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/point/make_proxy.h"
+#include "runtime/effect/surface/plan_walls.h"
 #include "runtime/scene/body_shape.h"
-#include "runtime/scene/plan_walls.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>

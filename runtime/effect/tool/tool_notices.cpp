@@ -1,4 +1,4 @@
-#include "runtime/scene/tool_notices.h"
+#include "runtime/effect/tool/tool_notices.h"
 
 #include "haptics/collision/wall_thickness.h"
 #include "runtime/scene/round_up.h"

@@ -1,4 +1,4 @@
-#include "runtime/scene/plan_kite.h"
+#include "runtime/effect/kite/plan_kite.h"
 
 #include "haptics/field/field_plan.h"
 #include "haptics/flight/kite_loop.h"

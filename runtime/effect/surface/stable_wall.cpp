@@ -1,4 +1,4 @@
-#include "runtime/scene/stable_wall.h"
+#include "runtime/effect/surface/stable_wall.h"
 
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/device/simulated/human_impedance.h"

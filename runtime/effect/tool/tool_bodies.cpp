@@ -1,9 +1,9 @@
-#include "runtime/scene/tool_bodies.h"
+#include "runtime/effect/tool/tool_bodies.h"
 
 #include "haptics/voxel/voxelise.h"
+#include "runtime/effect/tool/tool_notices.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/round_up.h"
-#include "runtime/scene/tool_notices.h"
 #include "runtime/text/amounts.h"
 
 #include <algorithm>

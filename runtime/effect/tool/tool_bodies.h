@@ -14,8 +14,8 @@
 #include "haptics/tool/god_object/god_surface.h"
 #include "haptics/tool/implicit_penalty/level_contacts.h"
 #include "haptics/voxel/voxel_grid.h"
+#include "runtime/effect/tool/tool_body_list.h"
 #include "runtime/scene/plan.h"
-#include "runtime/scene/tool_body_list.h"
 
 #include <memory>
 #include <string>

@@ -1,4 +1,4 @@
-#include "runtime/lua/api/hinge_place.h"
+#include "runtime/effect/hinge/declare_hinge.h"
 
 #include "haptics/math/length.h"
 #include "runtime/lua/api/lesson_context.h"

@@ -1,4 +1,4 @@
-#include "runtime/scene/tool_surfaces.h"
+#include "runtime/effect/tool/tool_surfaces.h"
 
 #include <algorithm>
 #include <cstddef>

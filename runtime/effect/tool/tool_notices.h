@@ -10,7 +10,7 @@
 #pragma once
 
 #include "haptics/tool/tool_plan.h"
-#include "runtime/scene/tool_body_list.h"
+#include "runtime/effect/tool/tool_body_list.h"
 
 #include <optional>
 #include <string>

@@ -1,10 +1,11 @@
 // What bodies are made of: the program's own materials, and those that a lesson makes out of them or out of a picture.
+#include "runtime/effect/surface/declare_material.h"
+
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/surface/materials.h"
 #include "runtime/effect/surface/material_fields.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
-#include "runtime/lua/api/materials.h"
 #include "runtime/lua/api/take_fields.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "dialogue/marking/feedback_ladder.h"
 #include "runtime/effect/asking/lesson_fields.h"
 #include "runtime/effect/asking/question_fields.h"
+#include "runtime/effect/surface/wire_surface.h"
 #include "runtime/lua/wire/wire_archive.h"
-#include "runtime/lua/wire/wire_surface.h"
 
 namespace fulcrum::runtime::wire {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "runtime/effect/kite/kite_fields.h"
+#include "runtime/effect/surface/wire_surface.h"
 #include "runtime/lua/wire/wire_fields.h"
-#include "runtime/lua/wire/wire_surface.h"
 
 namespace fulcrum::runtime::wire {
 

@@ -1,7 +1,7 @@
 // What plan_tool.h tells of a tool and what it meets.
 #include "haptics/tool/tool_plan.h"
-#include "runtime/scene/check_tool.h"
-#include "runtime/scene/plan_tool.h"
+#include "runtime/effect/tool/check_tool.h"
+#include "runtime/effect/tool/plan_tool.h"
 #include "runtime/text/amounts.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "runtime/scene/plan_rigid.h"
+#include "runtime/effect/rigid/plan_rigid.h"
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/dynamics/shape_inertia.h"

@@ -1,4 +1,4 @@
-#include "runtime/scene/tool_body_list.h"
+#include "runtime/effect/tool/tool_body_list.h"
 
 #include "haptics/collision/collision_mesh.h"
 #include "runtime/scene/round_up.h"

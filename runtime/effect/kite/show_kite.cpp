@@ -1,4 +1,4 @@
-#include "runtime/lesson/show_kite.h"
+#include "runtime/effect/kite/show_kite.h"
 
 #include "haptics/dynamics/rigid_body.h"
 #include "haptics/math/length.h"
@@ -148,15 +148,15 @@ void add_forces(const KiteReport& report, const Enlarged& enlarged,
 
 void add_kite(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
               const dialogue::Catalogue& catalogue, View& view) {
-    if (!lesson.kite || !hud.kite_design) {
+    if (!lesson.kite || !hud.kite.design) {
         return;
     }
-    view.kite_design = hud.kite_design;
+    view.kite_design = hud.kite.design;
     if (scenery.kite == nullptr) {
         return;
     }
     const KiteReport& report = scenery.kite->report;
-    const KiteSettings& design = *hud.kite_design;
+    const KiteSettings& design = *hud.kite.design;
     const double line_radius_m =
         kLineRadius * compute_length(Vector3(lesson.camera.eye_W - lesson.camera.target_W));
     const Enlarged enlarged{report.knot_W, lesson.kite->seen_scale};
@@ -176,7 +176,7 @@ void add_kite(const LessonDescription& lesson, const SessionHud& hud, const Scen
         add_bar(kLineModel, nodes_W[i - 1], nodes_W[i], line_radius_m, view);
     }
     add_wisps(lesson, report, view);
-    if (hud.shows_kite_forces) {
+    if (hud.kite.shows_forces) {
         add_forces(report, enlarged, catalogue, view);
     }
 }

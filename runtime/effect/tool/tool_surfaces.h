@@ -5,8 +5,8 @@
 #pragma once
 
 #include "haptics/tool/tool_plan.h"
+#include "runtime/effect/tool/tool_body_list.h"
 #include "runtime/scene/plan.h"
-#include "runtime/scene/tool_body_list.h"
 
 #include <vector>
 

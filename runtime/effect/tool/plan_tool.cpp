@@ -1,19 +1,19 @@
-#include "runtime/scene/plan_tool.h"
+#include "runtime/effect/tool/plan_tool.h"
 
 #include "haptics/dynamics/mesh_inertia.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/beside_thread.h"
 #include "haptics/point/make_obstacle.h"
 #include "haptics/tool/tool_plan.h"
+#include "runtime/effect/surface/plan_walls.h"
+#include "runtime/effect/tool/check_tool.h"
+#include "runtime/effect/tool/tool_bodies.h"
+#include "runtime/effect/tool/tool_notices.h"
+#include "runtime/effect/tool/tool_springs.h"
+#include "runtime/effect/tool/tool_surfaces.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/body_shape.h"
-#include "runtime/scene/check_tool.h"
-#include "runtime/scene/plan_walls.h"
 #include "runtime/scene/shape_models.h"
-#include "runtime/scene/tool_bodies.h"
-#include "runtime/scene/tool_notices.h"
-#include "runtime/scene/tool_springs.h"
-#include "runtime/scene/tool_surfaces.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,69 @@
+// What goes in and out of a session in one frame, what is seen of it, and how it went.
+#pragma once
+
+#include "haptics/handover/messages.h"
+#include "runtime/lesson/effect_messages.h"
+#include "runtime/scene/lesson_messages.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// What happened since the last frame.
+struct SessionInput : EffectFrames {
+    double time_s = 0.0;
+    double dt_s = 0.0;
+    HapticState hand{};
+    std::vector<HapticState> more_hands{};  ///< those beside it that are there
+    double wheel = 0.0;  ///< notches since the last frame, away from the user is +
+    std::vector<WorldEvent> world_events;
+    std::vector<std::string> keys;
+    std::optional<std::string>
+        heard;  ///< the learner's words, typed or scripted: for the recogniser
+};
+
+/// What is to be done before the next frame.
+struct SessionOutput : EffectOrders {
+    ForceCommand force{};
+    std::vector<std::string> sounds;
+    bool has_hand_target = false;  ///< the simulated hand's Lua gave one
+    Pose hand_target_W{};
+    std::uint32_t hand_buttons = 0;
+    std::string hand_key;  ///< that its other hand presses, once; none while a question is open
+    std::vector<HandAim> more_aims;  ///< of simulated hands beside it
+    std::vector<std::string> printed;
+    std::vector<std::string> spoken;  ///< what is to be said aloud
+    std::vector<std::string> said;    ///< what was shown, asked and answered, see transcript.h
+};
+
+/// What a learner sees of the lesson, apart from the bodies.
+struct SessionHud {
+    std::string caption;   ///< the one instruction
+    std::string feedback;  ///< the last answer's answer, *emphasised* where it teaches
+    bool question_open = false;
+    double question_asked_at_s = 0.0;
+    int score = 0;
+    int level = 0;
+    std::string level_title;
+    int stars = -1;        ///< 0 to 3 once the lesson is over
+    bool may_ask = false;  ///< the lesson knows things, and no question is open
+    bool invited = false;  ///< the answer was right; it may be said once more, and need not be
+    std::vector<bool> covered{};  ///< by body: under a cloth
+    KiteSeen kite{};
+};
+
+/// How one play went; what `fulcrum test` compares with what the lesson expects.
+struct SessionResult {
+    bool finished = false;
+    int stars = 0;
+    int score = 0;
+    int level = 0;
+    int attempts = 0;
+    int caught = 0;
+    int form_errors = 0;
+};
+
+}  // namespace fulcrum::runtime
