@@ -22,6 +22,38 @@ const char* find_way_to_move(const BeginHelp& help) noexcept {
 
 }  // namespace
 
+BeginHelp find_begin_help(const LessonRun& run, const RunRequest& request) {
+    const bool is_hid = request.hand == HandKind::hid;
+    const bool is_cap = is_hid && request.hid.form == hid::HandForm::space_mouse;
+    BeginHelp help;
+    help.has_mouse = find_hand(run.hands(), HandKind::mouse).has_value();
+    help.has_keys = find_hand(run.hands(), HandKind::keys).has_value();
+    help.has_cap = is_cap;
+    help.has_stick = is_hid && !is_cap;
+    help.has_reel = run.plan().kite.has_value();
+    help.left_handed = run.left_handed();
+    help.may_ask = run.session().hud().may_ask;
+    help.tells_why = run.why().is_there();
+    for (std::size_t hand = 0; hand < run.hands().size(); ++hand) {
+        if (run.hands()[hand]->device->can_push()) {
+            help.softer = run.plan().softer;
+        }
+    }
+    return help;
+}
+
+std::vector<ScreenButton> find_buttons(const LessonRun& run) {
+    std::vector<ScreenButton> buttons;
+    if (run.session().hud().may_ask) {
+        buttons.push_back(ScreenButton::ask);
+    }
+    if (run.why().is_there()) {
+        buttons.push_back(ScreenButton::why);
+    }
+    buttons.insert(buttons.end(), {ScreenButton::say_again, ScreenButton::pause});
+    return buttons;
+}
+
 std::string say_begin_help(const BeginHelp& help, const dialogue::Catalogue& catalogue) {
     std::string text;
     const auto add = [&](const std::string& sentence) {

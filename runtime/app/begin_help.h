@@ -5,9 +5,12 @@
 #pragma once
 
 #include "dialogue/catalogue.h"
+#include "runtime/app/lesson_run.h"
+#include "runtime/scene/view.h"
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -19,6 +22,11 @@ struct BeginHelp {
     bool may_ask = false, tells_why = false;
     std::span<const std::string> softer{};  ///< what a device that pushes would shake with as it is
 };
+
+/// Of a run that was asked for so; both outlive it.
+[[nodiscard]] BeginHelp find_begin_help(const LessonRun& run, const RunRequest& request);
+/// What the screen's corner offers to who has a mouse alone.
+[[nodiscard]] std::vector<ScreenButton> find_buttons(const LessonRun& run);
 
 /// Empty where there is nothing to say.
 [[nodiscard]] std::string say_begin_help(const BeginHelp& help,

@@ -53,7 +53,7 @@ class TrialScreen {
         stop_.hear(stop_signals_seen());
         stop_.watch_gate(trial_.channels().state_for_lesson.value().gate == GatePhase::stopped);
         if (events.lost_focus) {
-            stop_.lose_focus(true);
+            stop_.lose_focus(true, true);
         }
         if (events.button_press[0]) {
             const auto spot = desktop_.picture->spot_at(events.press_x_px, events.press_y_px);

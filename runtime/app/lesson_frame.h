@@ -10,6 +10,7 @@ namespace fulcrum::runtime {
 /// What came in since the last frame besides the hand.
 struct FrameInput {
     double time_s = 0.0;
+    double paused_s = 0.0;  ///< of it the lesson stood still
     std::vector<std::string> keys;
     std::optional<std::string> typed;
     double wheel = 0.0;  ///< notches, away from the user is +

@@ -9,7 +9,7 @@ void LessonInput::begin(LessonRun* run) {
     run_ = run;
     stop_.watch(run != nullptr ? &run->channels() : nullptr);
     typing_.clear();
-    asking_ = false;
+    asking_ = plays_ = false;
     frame_ = {};
     keys_.hold_by(run != nullptr && run->left_handed());
     keys_began_px_.reset();
@@ -24,8 +24,9 @@ bool LessonInput::asked() const {
 
 void LessonInput::take(WindowEvents events, bool failed, const PictureSize& size, double dt_s) {
     if (events.lost_focus && run_ != nullptr) {
-        stop_.lose_focus(renders_force(run_->hands()));
+        stop_.lose_focus(renders_force(run_->hands()), plays_);
     }
+    plays_ = plays_ || events.pointer_moved || !events.pressed.empty();
     take_pointer_keys(events, size, dt_s);
     for (const KeyPress& press : events.pressed) {
         if (press.text.empty()) {
@@ -41,7 +42,8 @@ void LessonInput::take(WindowEvents events, bool failed, const PictureSize& size
 // The emergency stop's keys go before all others; return runs a lesson that failed again.
 void LessonInput::take_key(const KeyPress& press, bool failed) {
     const RunState state{.failed = failed,
-                         .finished = !failed && run_->session().result().finished};
+                         .finished = !failed && run_->session().result().finished,
+                         .renders_force = run_ == nullptr || renders_force(run_->hands())};
     const StopKey done = stop_.take(press.key, press.repeat, state);
     if (done == StopKey::leave) {
         orders_.push_back(ScreenOrder::leave);
@@ -60,9 +62,10 @@ void LessonInput::take_playing_key(const KeyPress& press) {
         orders_.push_back(ScreenOrder::say_again);
     } else if (press.key == "f3" && !press.repeat) {
         orders_.push_back(ScreenOrder::switch_why);
-    } else if (press.key == "tab" && run_->session().hud().may_ask) {
-        asking_ = !asking_;
-        typing_.clear();
+    } else if (press.key == "tab") {
+        switch_asking();
+    } else if (press.key == "p" && !types() && !press.repeat) {
+        stop_.switch_pause();
     } else if (press.key == "backspace") {
         typing_.backspace();
     } else if (types() && press.key == "return") {
@@ -71,6 +74,33 @@ void LessonInput::take_playing_key(const KeyPress& press) {
         choose(press.key == "down" ? 1 : -1);
     } else if (!press.repeat && !open && !asking_) {
         frame_.keys.push_back(press.key);
+    }
+}
+
+void LessonInput::switch_asking() {
+    if (run_->session().hud().may_ask) {
+        asking_ = !asking_;
+        typing_.clear();
+    }
+}
+
+void LessonInput::press(ScreenButton button) {
+    swallows_click_ = true;
+    if (button == ScreenButton::pause) {
+        return stop_.switch_pause();
+    }
+    if (stop_.stopped()) {
+        return;
+    }
+    switch (button) {
+        case ScreenButton::say_again:
+            return orders_.push_back(ScreenOrder::say_again);
+        case ScreenButton::why:
+            return orders_.push_back(ScreenOrder::switch_why);
+        case ScreenButton::ask:
+            return switch_asking();
+        case ScreenButton::pause:
+            return;
     }
 }
 
@@ -193,7 +223,7 @@ std::vector<ScreenOrder> LessonInput::take_orders() {
     return std::exchange(orders_, {});
 }
 
-Expected<FrameInput> LessonInput::take_frame(double now_s) {
+Expected<FrameInput> LessonInput::take_frame(double now_s, double paused_s) {
     if (std::exchange(wants_choices_, false) && asked() && choices_.empty()) {
         auto choices = run_->aside().make_choices();
         if (!choices) {
@@ -203,6 +233,7 @@ Expected<FrameInput> LessonInput::take_frame(double now_s) {
         chosen_ = choices_.empty() ? kTypingSpot : 0;
     }
     frame_.time_s = now_s;
+    frame_.paused_s = paused_s;
     return std::exchange(frame_, {});
 }
 

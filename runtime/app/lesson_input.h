@@ -1,6 +1,6 @@
 // What somebody at a desk does to a lesson: keys, typed words, the mouse. The same for a window and for who is simulated.
 //
-//   WindowEvents -> emergency stop first -> keys of the screen, of the answer, of the lesson -> FrameInput
+//   WindowEvents -> emergency stop and pause first -> keys of the screen, of the answer, of the lesson -> FrameInput
 //                -> keys that move the pointer (key_hand.h) -> a place in the world -> the mouse as a hand
 //
 // While a question is open its answer is typed, or chosen: down and up open the choices and go through them, return gives the chosen one.
@@ -46,7 +46,7 @@ class LessonInput {
     /// What keys asked of the screen since the last call.
     [[nodiscard]] std::vector<ScreenOrder> take_orders();
     /// What is for the lesson, taken. Asks it for choices where they are wanted, so not between a frame and its reply.
-    [[nodiscard]] Expected<FrameInput> take_frame(double now_s);
+    [[nodiscard]] Expected<FrameInput> take_frame(double now_s, double paused_s = 0.0);
     /// After a frame: a question of its own may not be open any more.
     void look_again();
 
@@ -56,6 +56,8 @@ class LessonInput {
         stop_.watch_gate(run_ != nullptr && run_->gate() == GatePhase::stopped);
     }
 
+    /// A button of the screen was clicked.
+    void press(ScreenButton button);
     /// A place of the picture was clicked: kTypingSpot, or a choice that said this there. One that is offered no more means nothing.
     void pick(int spot, const std::string& said);
     static constexpr int kTypingSpot = -1;
@@ -63,6 +65,7 @@ class LessonInput {
     /// What is typed, and what may be chosen; without pictures.
     void show(View& view) const;
     [[nodiscard]] bool stopped() const { return stop_.stopped(); }
+    [[nodiscard]] bool paused() const { return stop_.paused(); }
     [[nodiscard]] const std::vector<AnswerChoice>& choices() const { return choices_; }
     [[nodiscard]] int chosen() const { return chosen_; }
     /// Where the pointer is, in pixels, moved by keys too.
@@ -83,6 +86,7 @@ class LessonInput {
     [[nodiscard]] bool types() const { return asked() || asking_; }
     void take_key(const KeyPress& press, bool failed);
     void take_playing_key(const KeyPress& press);
+    void switch_asking();
     void give_answer();
     void choose(int step);
     [[nodiscard]] std::optional<std::size_t> keys_hand() const;
@@ -96,6 +100,7 @@ class LessonInput {
     KeyHand keys_;
     TypedLine typing_;
     bool asking_ = false;  // the learner has opened the line to ask something
+    bool plays_ = false;   // somebody has moved or pressed anything
     FrameInput frame_{};
     double wheel_m_ = 0.0;
     Vector2 pointer_px_{Vector2::Zero()};

@@ -17,9 +17,11 @@ LessonRun::~LessonRun() = default;
 
 Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     SessionInput gathered;
-    gathered.time_s = input.time_s;
-    gathered.dt_s = std::max(0.0, input.time_s - last_frame_s_);
-    last_frame_s_ = input.time_s;
+    gathered.clock_s = input.time_s;
+    gathered.time_s = input.time_s - input.paused_s;
+    gathered.dt_s = std::max(0.0, gathered.time_s - last_frame_s_);
+    last_frame_s_ = gathered.time_s;
+    last_clock_s_ = gathered.clock_s;
     look(hands_, gathered);
     effects_.gather(description(), gathered);
     gathered.wheel = input.wheel;
@@ -80,7 +82,7 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
         return tl::unexpected(output.error());
     }
     if (recorder_) {
-        recorder_->keep_output(last_frame_s_, *output, session_->result());
+        recorder_->keep_output(last_clock_s_, *output, session_->result());
     }
     if (heard_) {
         heard_(*output);
@@ -120,7 +122,7 @@ void LessonRun::fail_softly(const std::string& sentence) {
     channels().lesson_failed.store(true, std::memory_order_release);
     session_->end(EndReason::failed);
     if (recorder_) {
-        recorder_->keep_failure(last_frame_s_, sentence);
+        recorder_->keep_failure(last_clock_s_, sentence);
     }
 }
 

@@ -48,6 +48,7 @@ class LessonRun {
     [[nodiscard]] const LessonDescription& description() const { return session_->description(); }
     [[nodiscard]] const LessonProcess& process() const { return *process_; }
     [[nodiscard]] LessonSession& session() { return *session_; }
+    [[nodiscard]] const LessonSession& session() const { return *session_; }
     [[nodiscard]] RunEffects& effects() { return effects_; }
     [[nodiscard]] const RunHands& hands() const { return hands_; }
     [[nodiscard]] RunHand& hand_at(std::size_t hand) { return *hands_[hand]; }
@@ -141,7 +142,8 @@ class LessonRun {
     NearestThing nearest_;
     std::vector<std::string> started_notices_;  // of who moves which
     bool at_desk_ = false;                      // who plays types and chooses the pupil's answers
-    double last_frame_s_ = 0.0;
+    double last_frame_s_ = 0.0;                 // on the lesson's own clock
+    double last_clock_s_ = 0.0;
     std::function<void(const SessionOutput&)> heard_;
 };
 

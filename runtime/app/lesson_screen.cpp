@@ -19,7 +19,7 @@ namespace {
 constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
 // For what the disk still has to keep when a play is over.
 constexpr double kStorePatience_s = 15.0;
-constexpr double kHelp_s = 15.0;        // how long a level says how to move
+constexpr double kHelp_s = 15.0;        // how long the first level says how to move
 constexpr double kLongestStep_s = 0.1;  // of keys that are held, when the program stood still
 // A frame waits so long for Lua before it shows what there is.
 constexpr double kAnswerPatience_s = 0.004;
@@ -89,6 +89,7 @@ void LessonScreen::begin() {
     level_ = 0;
     first_epoch_s_ = first_epoch_s_.value_or(epoch_s_);
     next_frame_s_ = 0.0;
+    pause_ = {};
     if (auto started = loops_.start(*run_, epoch_s_); !started) {
         fail_with(started.error());
     }
@@ -186,7 +187,7 @@ void LessonScreen::take_input(const WindowEvents& events) {
     }
     if (events.button_press[0] && run_ && error_.empty()) {
         if (const auto spot = desktop_.picture->spot_at(events.press_x_px, events.press_y_px)) {
-            input_.pick(spot->choice, spot->said);
+            spot->button ? input_.press(*spot->button) : input_.pick(spot->choice, spot->said);
         }
     }
     const double now_s = monotonic_now_s();
@@ -250,9 +251,15 @@ void LessonScreen::exchange() {
     }
     say(take_device_notice(run_->hands()));
     const double now_s = monotonic_now_s() - epoch_s_;
-    if (!run_->process().waits_for_reply() && now_s >= next_frame_s_) {
-        const auto sent = input_.take_frame(now_s).and_then(
-            [&](const FrameInput& input) { return run_->begin_frame(input); });
+    if (auto stood = pause_.take(input_.stopped(), now_s, *run_, loops_, desktop_); !stood) {
+        fail_with(stood.error());
+        return;
+    }
+    if (!run_->process().waits_for_reply() && now_s >= next_frame_s_ && !pause_.stands()) {
+        const auto sent =
+            input_.take_frame(now_s, pause_.stood_s()).and_then([&](const FrameInput& input) {
+                return run_->begin_frame(input);
+            });
         if (!sent) {
             fail_with(sent.error());
             return;
@@ -321,6 +328,8 @@ View LessonScreen::compose() const {
     show(find_trouble(), catalogue_, view);
     if (run_ && error_.empty()) {
         show_hints(view);
+        view.paused = input_.stopped();
+        view.buttons = find_buttons(*run_);
     }
     return view;
 }
@@ -329,6 +338,7 @@ ScreenTrouble LessonScreen::find_trouble() const {
     ScreenTrouble trouble;
     trouble.error = error_;
     trouble.is_stopped = input_.stopped();
+    trouble.is_paused = input_.paused();
     if (run_) {
         trouble.waited_s = run_->process().waited_s();
         trouble.device_is_lost = device_is_lost(run_->hands());
@@ -348,29 +358,9 @@ void LessonScreen::show_hints(View& view) const {
         view.banner = catalogue_.say("hud.said_before", {{"text", before}});
     }
     const bool is_begun = monotonic_now_s() - level_began_s_ < kHelp_s;
-    if (view.banner.empty() && is_begun && !run_->session().result().finished) {
-        view.banner = say_begin_help(find_begin_help(), catalogue_);
+    if (view.banner.empty() && is_begun && level_ <= 1 && !run_->session().result().finished) {
+        view.banner = say_begin_help(find_begin_help(*run_, request_), catalogue_);
     }
-}
-
-BeginHelp LessonScreen::find_begin_help() const {
-    const bool is_hid = request_.hand == HandKind::hid;
-    const bool is_cap = is_hid && request_.hid.form == hid::HandForm::space_mouse;
-    BeginHelp help;
-    help.has_mouse = find_hand(run_->hands(), HandKind::mouse).has_value();
-    help.has_keys = find_hand(run_->hands(), HandKind::keys).has_value();
-    help.has_cap = is_cap;
-    help.has_stick = is_hid && !is_cap;
-    help.has_reel = run_->plan().kite.has_value();
-    help.left_handed = run_->left_handed();
-    help.may_ask = run_->session().hud().may_ask;
-    help.tells_why = run_->why().is_there();
-    for (std::size_t hand = 0; hand < run_->hands().size(); ++hand) {
-        if (run_->hand_at(hand).device->can_push()) {
-            help.softer = run_->plan().softer;
-        }
-    }
-    return help;
 }
 
 void LessonScreen::save_wanted_screenshot(bool last_frame) {

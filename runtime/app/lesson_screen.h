@@ -9,6 +9,7 @@
 #include "runtime/app/choice_picture.h"
 #include "runtime/app/desktop.h"
 #include "runtime/app/lesson_input.h"
+#include "runtime/app/lesson_pause.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/live_ear.h"
 #include "runtime/app/live_loops.h"
@@ -64,7 +65,6 @@ class LessonScreen {
     [[nodiscard]] View compose() const;
     [[nodiscard]] ScreenTrouble find_trouble() const;
     void show_hints(View& view) const;
-    [[nodiscard]] BeginHelp find_begin_help() const;
     void save_wanted_screenshot(bool last_frame);
 
     const Places& places_;
@@ -81,6 +81,7 @@ class LessonScreen {
     double level_began_s_ = 0.0;
     std::optional<double> first_epoch_s_;  // of the first play
     double next_frame_s_ = 0.0;
+    LessonPause pause_;
     bool lost_progress_ = false;
     std::string error_;  // the sentence of the failure, empty while all is well
     WatchedFiles files_;

@@ -21,9 +21,15 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
         }
         contact_of_ = &run.haptic_loop();
     }
+    epoch_s_ = epoch_s;
+    return go_on(run);
+}
+
+Expected<void> LiveLoops::go_on(LessonRun& run) {
+    RealtimeSettings settings;
+    settings.epoch_s = epoch_s_;
     settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning
     settings.fifo_priority = 0;
-    settings.lock_memory = false;
     for (const EffectLoop& loop : run.effects().loops()) {
         settings.rate_Hz = loop.rate_hz;
         if (auto started = effects_.emplace_back().start(*loop.task, settings); !started) {
@@ -31,6 +37,13 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
         }
     }
     return {};
+}
+
+void LiveLoops::stand_still() noexcept {
+    for (RealtimeThread& effect : effects_) {
+        effect.stop();
+    }
+    effects_.clear();
 }
 
 std::string LiveLoops::describe_pace() const {
@@ -82,9 +95,7 @@ void LiveLoops::stop() noexcept {
     contact_.stop();
     contact_was_ = contact_pace();
     contact_of_ = nullptr;  // that may end too, now
-    for (RealtimeThread& effect : effects_) {
-        effect.stop();
-    }
+    stand_still();
 }
 
 }  // namespace fulcrum::runtime

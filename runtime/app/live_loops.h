@@ -30,6 +30,9 @@ class LiveLoops {
 
     /// Starts the loops that the run's plan has; time zero is `epoch_s` of the monotonic clock. The run outlives them.
     [[nodiscard]] Expected<void> start(LessonRun& run, double epoch_s);
+    /// The effects' loops stand still, while the hands' go on; `go_on` starts them again from where they were.
+    void stand_still() noexcept;
+    [[nodiscard]] Expected<void> go_on(LessonRun& run);
     /// Ends all threads; the device is left without force.
     void stop() noexcept;
 
@@ -49,6 +52,7 @@ class LiveLoops {
     const HapticLoop* contact_of_ = nullptr;  // whose contacts it finds; null where it does not run
     std::optional<ContactPace> contact_was_;  // how it did until it was stopped
     std::list<RealtimeThread> effects_;
+    double epoch_s_ = 0.0;
 };
 
 }  // namespace fulcrum::runtime

@@ -32,8 +32,8 @@ class Picture {
     [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const {
         return renderer_->menu_layout(view, width, height);
     }
-    /// Where the answer was in the picture that was drawn last: the line to type in, then each choice.
-    [[nodiscard]] const std::vector<Box>& answer_boxes() const { return renderer_->answer_boxes(); }
+    /// What could be clicked in the picture that was drawn last.
+    [[nodiscard]] const ClickBoxes& click_boxes() const { return renderer_->click_boxes(); }
 
   private:
     explicit Picture(const Places& places) : places_(places) {}

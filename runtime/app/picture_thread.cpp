@@ -66,7 +66,8 @@ void PictureThread::run(const Places& places) {
 void PictureThread::swap(const Picture& picture, const View& view) {
     window_.swap();
     const std::scoped_lock lock(mutex_);
-    answer_boxes_ = picture.answer_boxes();
+    click_boxes_ = picture.click_boxes();
+    buttons_ = view.buttons;
     choices_.clear();
     for (const ViewChoice& choice : view.choices) {
         choices_.push_back(choice.said);
@@ -143,14 +144,19 @@ MenuLayout PictureThread::menu_layout(const View& view) {
 
 std::optional<PictureSpot> PictureThread::spot_at(double x_px, double y_px) const {
     const std::scoped_lock lock(mutex_);
-    const auto found =
-        std::ranges::find_if(answer_boxes_, [&](const Box& box) { return box.holds(x_px, y_px); });
-    if (found == answer_boxes_.end()) {
-        return std::nullopt;
+    const auto find = [&](const std::vector<Box>& boxes, std::size_t n) {
+        const auto found =
+            std::ranges::find_if(boxes, [&](const Box& box) { return box.holds(x_px, y_px); });
+        const auto index = static_cast<std::size_t>(found - boxes.begin());
+        return index < std::min(boxes.size(), n) ? std::optional(index) : std::nullopt;
+    };
+    if (const auto button = find(click_boxes_.buttons, buttons_.size())) {
+        return PictureSpot{-1, {}, buttons_[*button]};
     }
-    const auto choice = static_cast<int>(found - answer_boxes_.begin()) - 1;
-    const auto index = static_cast<std::size_t>(std::max(choice, 0));
-    return PictureSpot{choice, choice >= 0 && index < choices_.size() ? choices_[index] : ""};
+    if (const auto choice = find(click_boxes_.choices, choices_.size())) {
+        return PictureSpot{static_cast<int>(*choice), choices_[*choice]};
+    }
+    return click_boxes_.input.holds(x_px, y_px) ? std::optional(PictureSpot{}) : std::nullopt;
 }
 
 std::uint64_t PictureThread::n_shown() const {

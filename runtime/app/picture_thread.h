@@ -19,10 +19,11 @@
 
 namespace fulcrum::runtime {
 
-/// What a click on the answer means.
+/// What a click means: a button, or of the answer a choice or the line to type in.
 struct PictureSpot {
-    int choice = -1;   ///< -1: the line to type in
+    int choice = -1;   ///< -1: none
     std::string said;  ///< of the choice, as it was seen
+    std::optional<ScreenButton> button{};
 };
 
 class PictureThread {
@@ -46,7 +47,7 @@ class PictureThread {
     [[nodiscard]] std::vector<std::string> take_notices();
     /// Where the cards of a view's list of lessons are drawn; waits for the frame that is drawn.
     [[nodiscard]] MenuLayout menu_layout(const View& view);
-    /// What of the answer is at this place of the picture that is shown; nothing elsewhere.
+    /// What can be clicked at this place of the picture that is shown; nothing elsewhere.
     [[nodiscard]] std::optional<PictureSpot> spot_at(double x_px, double y_px) const;
     /// Draws that view, shows it, and gives its pixels; waits for it.
     [[nodiscard]] Image show_and_read(View view);
@@ -76,8 +77,9 @@ class PictureThread {
     bool ends_ = false;
     std::optional<Expected<void>> started_;
     std::vector<std::string> notices_;
-    std::vector<Box> answer_boxes_;  // of the picture that is shown
+    ClickBoxes click_boxes_;  // of the picture that is shown
     std::vector<std::string> choices_;
+    std::vector<ScreenButton> buttons_;
     std::uint64_t n_shown_ = 0;
 
     std::thread thread_;

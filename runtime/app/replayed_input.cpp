@@ -17,7 +17,7 @@ double notches_of(const std::string& text) {
 void ReplayedInput::add_to(SessionInput& input) {
     for (; next_ < record_->events.size(); ++next_) {
         const RecordEvent& event = record_->events[next_];
-        if (event.time_s > input.time_s) {
+        if (event.time_s > input.clock_s) {
             return;
         }
         if (event.kind == RecordEventKind::pressed) {

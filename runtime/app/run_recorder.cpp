@@ -121,14 +121,14 @@ void RunRecorder::keep_body(double time_s, std::int32_t body, const BodyState& s
 
 void RunRecorder::keep_bodies(const SessionInput& input) {
     if (input.world != nullptr) {
-        keep_effort(input.time_s, input.world->effort);
+        keep_effort(input.clock_s, input.world->effort);
         for (std::int32_t i = 0; i < input.world->n_bodies; ++i) {
-            keep_body(input.time_s, i, input.world->bodies[static_cast<std::size_t>(i)]);
+            keep_body(input.clock_s, i, input.world->bodies[static_cast<std::size_t>(i)]);
         }
     }
     if (input.kite != nullptr && n_bodies_ > 0) {
         // It stands behind the lesson's bodies.
-        keep_body(input.time_s, n_bodies_ - 1,
+        keep_body(input.clock_s, n_bodies_ - 1,
                   {input.kite->report.pose_W, input.kite->report.velocity_W, BodyWhere::placed});
     }
 }
@@ -186,19 +186,19 @@ void RunRecorder::keep_frame(const SessionInput& input) {
     if (input.hand.touched_body != touched_) {
         touched_ = input.hand.touched_body;
         if (touched_ != kNoBody) {
-            keep(input.time_s, RecordEventKind::touched, touched_);
+            keep(input.clock_s, RecordEventKind::touched, touched_);
         }
     }
-    keep_effort(input.time_s, input.hand.tool);
-    keep_lateness(input.time_s);
+    keep_effort(input.clock_s, input.hand.tool);
+    keep_lateness(input.clock_s);
     for (const std::string& key : input.keys) {
-        keep(input.time_s, RecordEventKind::pressed, kNoBody, key);
+        keep(input.clock_s, RecordEventKind::pressed, kNoBody, key);
     }
     if (input.wheel != 0.0) {
-        keep(input.time_s, RecordEventKind::wheel, kNoBody, exact_text(input.wheel));
+        keep(input.clock_s, RecordEventKind::wheel, kNoBody, exact_text(input.wheel));
     }
     if (input.heard) {
-        keep(input.time_s, RecordEventKind::answered, kNoBody, *input.heard);
+        keep(input.clock_s, RecordEventKind::answered, kNoBody, *input.heard);
     }
 }
 

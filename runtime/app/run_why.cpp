@@ -20,7 +20,7 @@ void RunWhy::look(const SessionInput& gathered) {
         if (asked.shares.take()) {
             asked.shown.look(asked.shares.value(),
                              hand == 0 ? gathered.hand : gathered.more_hands[hand - 1],
-                             gathered.time_s);
+                             gathered.clock_s);
         }
     }
 }

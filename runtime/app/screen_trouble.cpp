@@ -26,6 +26,8 @@ void show(const ScreenTrouble& trouble, const dialogue::Catalogue& catalogue, Vi
         view.banner = catalogue.say("banner.busy");
         view.banner_is_error = true;
         view.caption = catalogue.say("banner.retry");
+    } else if (trouble.is_paused) {
+        view.banner = catalogue.say("hud.paused", {{"key", "P"}, {"leave", "Escape"}});
     } else if (trouble.is_stopped) {
         view.banner = catalogue.say("hud.emergency", {{"key", "Enter"}});
         view.banner_is_error = true;

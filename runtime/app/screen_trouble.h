@@ -18,6 +18,7 @@ struct ScreenTrouble {
     std::string error{};    ///< why the lesson failed, for the teacher
     double waited_s = 0.0;  ///< for the lesson's answer
     bool is_stopped = false;
+    bool is_paused = false;  ///< stopped because somebody wants to wait
     bool device_is_lost = false;
     bool is_unkept = false;   ///< something of what the learner did
     bool holds_back = false;  ///< a force waits until the hand rests

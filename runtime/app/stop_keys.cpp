@@ -17,26 +17,34 @@ StopKey StopKeys::take(std::string_view key, bool repeat, const RunState& run) n
         return StopKey::leave;
     }
     if (key == "escape") {
-        press();
+        press(!run.renders_force);
         return StopKey::press;
     }
-    if (key == "return" && stopped_ && !run.failed) {
+    if ((key == "return" || (key == "p" && is_pause_)) && stopped_ && !run.failed) {
         lift();
         return StopKey::lift;
     }
     return StopKey::nothing;
 }
 
-void StopKeys::lose_focus(bool renders_force) noexcept {
-    if (channels_ != nullptr && renders_force && !stopped_) {
-        press();
+void StopKeys::switch_pause() noexcept {
+    if (stopped_) {
+        lift();
+    } else {
+        press(true);
+    }
+}
+
+void StopKeys::lose_focus(bool renders_force, bool plays) noexcept {
+    if (channels_ != nullptr && !stopped_ && (renders_force || plays)) {
+        press(!renders_force);
     }
 }
 
 void StopKeys::hear(unsigned seen) noexcept {
     if (seen != heard_) {
         heard_ = seen;
-        press();
+        press(false);
     }
 }
 
@@ -46,11 +54,12 @@ void StopKeys::watch_gate(bool is_stopped) noexcept {
     stopped_frames_ = is_stopped && !stopped_ ? stopped_frames_ + 1 : 0;
     if (stopped_frames_ >= kFramesSure) {
         stopped_frames_ = 0;
-        press();
+        press(false);
     }
 }
 
-void StopKeys::press() noexcept {
+void StopKeys::press(bool is_pause) noexcept {
+    is_pause_ = is_pause;
     stopped_ = true;
     if (channels_ != nullptr) {
         channels_->emergency_stop.press();

@@ -1,5 +1,6 @@
-// The emergency stop's keys. Escape stops the arm, and leaves when it is stopped already or nothing is left to stop; return
-// lets it go on. A stop outlives the run in which it was pressed.
+// The emergency stop's keys, and the pause's. Escape stops an arm that pushes, pauses where none does, and leaves when it is stopped already
+// or nothing is left to stop; return lets it go on. A pause is a stop with other words, and goes on by P as well. Either outlives the run in
+// which it was pressed.
 //
 // Thread: that of the window; the haptic loop hears of it through its channels.
 #pragma once
@@ -18,6 +19,7 @@ enum class StopKey : std::uint8_t { nothing, press, lift, leave };
 struct RunState {
     bool failed = false;  ///< there is no lesson that plays
     bool finished = false;
+    bool renders_force = true;  ///< a hand's device could push
 };
 
 class StopKeys {
@@ -28,20 +30,25 @@ class StopKeys {
     void watch(HapticChannels* channels) noexcept;
     /// A key that went down: "escape", "return" or any other.
     StopKey take(std::string_view key, bool repeat, const RunState& run) noexcept;
-    /// Nobody can press a key here any more: an arm that renders forces is stopped.
-    void lose_focus(bool renders_force) noexcept;
+    /// P, or the button on the screen: pauses, or goes on from pause and stop.
+    void switch_pause() noexcept;
+    /// Nobody can press a key here any more: an arm that renders forces is stopped, and what somebody `plays` without one is paused.
+    void lose_focus(bool renders_force, bool plays) noexcept;
     /// Somebody has stopped it from outside (stop_signal.h), `seen` times since the program began.
     void hear(unsigned seen) noexcept;
     /// Whether the last gate is stopped, once a frame. One that stays so without a key was stopped at the device: it is a stop like others.
     void watch_gate(bool is_stopped) noexcept;
+    /// Of both.
     [[nodiscard]] bool stopped() const noexcept { return stopped_; }
+    [[nodiscard]] bool paused() const noexcept { return stopped_ && is_pause_; }
 
   private:
-    void press() noexcept;
+    void press(bool is_pause) noexcept;
     void lift() noexcept;
 
     HapticChannels* channels_ = nullptr;
     bool stopped_ = false;
+    bool is_pause_ = false;
     unsigned heard_;          // stops from outside
     int stopped_frames_ = 0;  // of the gate, while no key has stopped it
 };

@@ -62,7 +62,7 @@ Expected<void> LessonSession::carry_out(const LessonForceCommand& command, Sessi
         return undeclared();
     }
     force_.linearised = command.force;
-    force_.linearised.stamp_s = time_s_;
+    force_.linearised.stamp_s = clock_s_;
     return {};
 }
 

@@ -97,6 +97,7 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
 
 const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     time_s_ = input.time_s;
+    clock_s_ = input.clock_s;
     frame_.time_s = input.time_s;
     frame_.dt_s = input.dt_s;
     frame_.tool_pose_W = input.hand.tool_pose_W;
@@ -267,7 +268,7 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     if (auto listening = keep_listening(); !listening) {
         return tl::unexpected(listening.error());
     }
-    force_.stamp_s = time_s_;
+    force_.stamp_s = clock_s_;
     force_.lesson_alive = true;
     output.force = force_;
     hinges_.order(output);

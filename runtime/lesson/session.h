@@ -134,6 +134,7 @@ class LessonSession {
     std::vector<std::string> sounds_;
     std::vector<std::int32_t> touched_bodies_;  // each once, by whichever hand
     double time_s_ = 0.0;
+    double clock_s_ = 0.0;  // the loops'
 };
 
 }  // namespace fulcrum::runtime

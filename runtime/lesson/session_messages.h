@@ -14,7 +14,8 @@ namespace fulcrum::runtime {
 
 /// What happened since the last frame.
 struct SessionInput : EffectFrames {
-    double time_s = 0.0;
+    double clock_s = 0.0;  ///< the loops'
+    double time_s = 0.0;   ///< the lesson's own, which stands still in a pause
     double dt_s = 0.0;
     HapticState hand{};
     std::vector<HapticState> more_hands{};  ///< those beside it that are there

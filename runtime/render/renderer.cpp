@@ -74,8 +74,7 @@ struct Renderer::Parts {
     Font font;
     DrawList list;
     MovedPanels moved;
-    std::vector<Box>
-        answer_boxes;  ///< of the view drawn last: the line to type in, then the choices
+    ClickBoxes click_boxes;  ///< of the view drawn last
     std::vector<std::string> notices;
     std::optional<KiteSettings> kite;  ///< as it was drawn last
 
@@ -162,8 +161,8 @@ MenuLayout Renderer::menu_layout(const View& view, int width, int height) const 
     return lay_out_menu(view, measure, lay_out_panels(view, parts_->font, measure).shown());
 }
 
-const std::vector<Box>& Renderer::answer_boxes() const {
-    return parts_->answer_boxes;
+const ClickBoxes& Renderer::click_boxes() const {
+    return parts_->click_boxes;
 }
 
 void Renderer::draw(const View& view, int width, int height) {
@@ -185,9 +184,9 @@ void Renderer::draw(const View& view, int width, int height) {
     const Box hand = view.menu.empty() ? parts_->painter.hand_seen(view, camera) : Box{};
     const PanelLayout panels = lay_out_panels(view, parts_->font, measure, hand, parts_->moved);
     parts_->moved = panels.moved;
-    parts_->answer_boxes = {panels.input.box};
+    parts_->click_boxes = {panels.input.box, {}, panels.buttons};
     for (const Panel& choice : panels.choices) {
-        parts_->answer_boxes.push_back(choice.box);
+        parts_->click_boxes.choices.push_back(choice.box);
     }
     const MenuLayout menu = lay_out_menu(view, measure, panels.shown());
     std::vector<SceneLabel> labels;

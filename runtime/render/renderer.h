@@ -32,6 +32,13 @@ struct RendererSettings {
 };
 
 /// Everything drawn on a screen.
+/// Without width where it is not shown.
+struct ClickBoxes {
+    Box input;                 ///< the line to type in
+    std::vector<Box> choices;  ///< as the view's, so are the others
+    std::vector<Box> buttons;
+};
+
 class Renderer {
   public:
     /// Makes shaders, buffers and fonts in the current context. An error when there is no OpenGL
@@ -59,8 +66,8 @@ class Renderer {
     /// Where `draw` puts the cards of a view's list of lessons; for what a pointer means.
     [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const;
 
-    /// Where the answer of the view that was drawn last was: the line to type in, then each choice.
-    [[nodiscard]] const std::vector<Box>& answer_boxes() const;
+    /// What could be clicked in the view that was drawn last.
+    [[nodiscard]] const ClickBoxes& click_boxes() const;
 
     /// What did not go as wished, one sentence each, e.g. a font that is not installed.
     [[nodiscard]] const std::vector<std::string>& notices() const;

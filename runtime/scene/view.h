@@ -84,6 +84,9 @@ struct ViewWhy {
     std::vector<ViewShare> shares;  ///< the strongest first
 };
 
+/// What a click in the corner does, as keys do.
+enum class ScreenButton : std::uint8_t { pause, say_again, ask, why };
+
 struct View {
     double time_s = 0.0;
     CameraDescription camera{};
@@ -112,8 +115,10 @@ struct View {
     int score = 0;
     int level = 0;
     std::string level_title;
-    int stars = -1;      ///< 0 to 3 at the end, -1 before
-    std::string banner;  ///< an error or a notice across the top; empty for none
+    int stars = -1;                     ///< 0 to 3 at the end, -1 before
+    std::vector<ScreenButton> buttons;  ///< from the left
+    bool paused = false;                ///< the lesson stands still, and `pause` goes on
+    std::string banner;                 ///< an error or a notice across the top; empty for none
     bool banner_is_error = false;
     std::vector<ViewMenuItem> menu;  ///< the list of lessons, instead of a scene
     int menu_selected = 0;

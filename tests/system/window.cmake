@@ -6,6 +6,8 @@ if(TARGET fulcrum)
                       WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 120)
   fulcrum_system_test("a lesson goes on at its rate, however slow the picture is" slow_screen.sh
                       WITH $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_slow_screen> MAY_SKIP LEAKS TIMEOUT 120)
+  fulcrum_system_test("a lesson that is paused stands still and goes on from where it was" pause.sh
+                      WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 120)
   fulcrum_system_test("F3 says why a force is felt, out of the hand's way" why.sh
                       WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 180)
   fulcrum_system_test("with --mute no sound device is opened" mute.sh WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 120

@@ -3,6 +3,7 @@
 #include "runtime/render/theme.h"
 
 #include <algorithm>
+#include <array>
 
 namespace fulcrum::runtime {
 
@@ -89,6 +90,50 @@ void draw_more_icon(DrawList& list, const Point2& middle, float radius_px, bool 
                offset(middle, radius_px, -0.5F * way * radius_px),
                offset(middle, 0.0F, 0.6F * way * radius_px)},
               theme::kInk);
+}
+
+void draw_pause_icon(DrawList& list, const Point2& middle, float radius_px, bool paused) {
+    const float r = radius_px;
+    if (paused) {
+        list.fill(middle,
+                  {offset(middle, -0.6F * r, -r), offset(middle, 1.0F * r, 0.0F),
+                   offset(middle, -0.6F * r, r)},
+                  theme::kEmphasisInk);
+        return;
+    }
+    for (const float dx : {-0.5F, 0.5F}) {
+        list.line(offset(middle, dx * r, -0.75F * r), offset(middle, dx * r, 0.75F * r), 0.42F * r,
+                  theme::kEmphasisInk);
+    }
+}
+
+void draw_loudspeaker_icon(DrawList& list, const Point2& middle, float radius_px) {
+    const float r = radius_px;
+    list.fill_box({middle[0] - r, middle[1] - 0.34F * r, 0.7F * r, 0.68F * r}, 0.1F * r,
+                  theme::kEmphasisInk);
+    list.fill(offset(middle, -0.3F * r, 0.0F),
+              {offset(middle, -0.7F * r, 0.0F), offset(middle, 0.0F, -0.85F * r),
+               offset(middle, 0.0F, 0.85F * r)},
+              theme::kEmphasisInk);
+    for (const float wave : {0.45F, 0.85F}) {
+        const float half = 0.62F * wave * r;
+        list.line(offset(middle, wave * r - 0.22F * r, -half), offset(middle, wave * r, 0.0F),
+                  0.16F * r, theme::kEmphasisInk);
+        list.line(offset(middle, wave * r, 0.0F), offset(middle, wave * r - 0.22F * r, half),
+                  0.16F * r, theme::kEmphasisInk);
+    }
+}
+
+void draw_question_icon(DrawList& list, const Point2& middle, float radius_px) {
+    const float r = radius_px;
+    const auto at = [&](float x, float y) { return offset(middle, x * r, y * r); };
+    const std::array<Point2, 8> hook{at(-0.55F, -0.45F), at(-0.4F, -0.82F), at(0.0F, -1.0F),
+                                     at(0.4F, -0.82F),   at(0.52F, -0.45F), at(0.35F, -0.1F),
+                                     at(0.06F, 0.12F),   at(0.0F, 0.42F)};
+    for (std::size_t i = 1; i < hook.size(); ++i) {
+        list.line(hook[i - 1], hook[i], 0.32F * r, theme::kEmphasisInk);
+    }
+    list.fill_disc(at(0.0F, 0.92F), 0.21F * r, theme::kEmphasisInk);
 }
 
 void draw_arrow_icon(DrawList& list, const Point2& middle, float radius_px, const Point2& direction,

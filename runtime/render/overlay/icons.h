@@ -19,6 +19,12 @@ void draw_pencil_icon(DrawList& list, const Point2& middle, float radius_px);
 void draw_tick_icon(DrawList& list, const Point2& middle, float radius_px);
 /// A triangle that points up or down: there is more.
 void draw_more_icon(DrawList& list, const Point2& middle, float radius_px, bool up);
+/// Two bars; or, where it is `paused`, a triangle that points on.
+void draw_pause_icon(DrawList& list, const Point2& middle, float radius_px, bool paused);
+/// A loudspeaker with two waves.
+void draw_loudspeaker_icon(DrawList& list, const Point2& middle, float radius_px);
+/// A question mark.
+void draw_question_icon(DrawList& list, const Point2& middle, float radius_px);
 /// An arrow along a direction in the picture, of unit length.
 void draw_arrow_icon(DrawList& list, const Point2& middle, float radius_px, const Point2& direction,
                      const Colour& colour);

@@ -49,11 +49,11 @@ float word_width(const Measure& m, float taken_at_720) {
                     m.px(kSpokenText));
 }
 
-void lay_out_banner(const View& view, const Font& font, const Measure& m, Panel& panel) {
+void lay_out_banner(const View& view, const Font& font, const Measure& m, float top, Panel& panel) {
     const float width = m.width_px - 2.0F * m.px(kMargin);
     const float words = width - 2.0F * m.px(kPadX) - m.px(kIconRoom);
     panel.words = set_words(font, m, plain_text(view.banner), {kBodyText, words, 3});
-    panel.box = {m.px(kMargin), m.px(kMargin), width, panel.words.height_px + 2.0F * m.px(kPadY)};
+    panel.box = {m.px(kMargin), top, width, panel.words.height_px + 2.0F * m.px(kPadY)};
 }
 
 /// Lesson's and level's names behind a badge with the level's number.
@@ -261,6 +261,7 @@ void draw_stars(int stars, const Panel& panel, const Measure& m, DrawList& list)
 float lay_out_top_row(const View& view, const Font& font, const Measure& m, float top,
                       PanelLayout& layout) {
     lay_out_score(view, font, m, top, layout.score);
+    layout.buttons = lay_out_buttons(view, m, layout.score.box.x - m.px(kGap), top);
     float bottom = layout.score.box.bottom();
     if (view.level > 0 || !view.title.empty() || !view.level_title.empty()) {
         lay_out_level(view, font, m, top, layout.level);
@@ -305,6 +306,7 @@ std::vector<Box> PanelLayout::shown() const {
     if (why.box.width > 0.0F) {
         boxes.push_back(why.box);
     }
+    boxes.insert(boxes.end(), buttons.begin(), buttons.end());
     return boxes;
 }
 
@@ -314,14 +316,14 @@ PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure,
     layout.moved = {view.feedback, before.feedback_is_low && before.said == view.feedback,
                     before.why_is_right && view.why.visible};
     float top = measure.px(kMargin);
-    if (!view.banner.empty()) {
-        lay_out_banner(view, font, measure, layout.banner);
-        top = layout.banner.box.bottom() + measure.px(kGap);
-    }
-    const float bottom = lay_out_bottom(view, font, measure, layout);
     if (view.menu.empty()) {
         top = lay_out_top_row(view, font, measure, top, layout);
     }
+    if (!view.banner.empty()) {
+        lay_out_banner(view, font, measure, top, layout.banner);
+        top = layout.banner.box.bottom() + measure.px(kGap);
+    }
+    const float bottom = lay_out_bottom(view, font, measure, layout);
     if (!view.feedback.empty()) {
         lay_out_feedback(view, font, measure, top, bottom, hand, layout);
     }
@@ -360,6 +362,7 @@ void draw_panels(const View& view, const PanelLayout& layout, const Measure& mea
     if (layout.score.box.width > 0.0F) {
         draw_score(layout.score, measure, list);
     }
+    draw_buttons(view, layout.buttons, measure, list);
     if (layout.stars.box.width > 0.0F) {
         draw_stars(view.stars, layout.stars, measure, list);
     }

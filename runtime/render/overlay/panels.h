@@ -1,7 +1,7 @@
 // The panels over the scene: lesson and level, score, caption, feedback, input, stars, banner.
 //
-//   top     [banner across]
-//           [level, title]                         [star, score]
+//   top     [level, title]               [buttons] [star, score]
+//           [banner across]
 //                     [feedback]
 //           [why the force is felt]                [or here, when it would hide the hand]
 //   middle            [stars at the end]
@@ -11,6 +11,7 @@
 // Thread: one (it asks the font). Cost: setting the words, each frame.
 #pragma once
 
+#include "runtime/render/overlay/buttons.h"
 #include "runtime/render/overlay/draw_list.h"
 #include "runtime/render/overlay/measure.h"
 #include "runtime/render/overlay/why_panel.h"
@@ -45,6 +46,7 @@ struct PanelLayout {
     Panel input;
     std::vector<Panel> choices;  ///< as the view's
     Panel stars;
+    std::vector<Box> buttons;  ///< as the view's
     WhyLayout why;
     MovedPanels moved;  ///< for the next frame
 

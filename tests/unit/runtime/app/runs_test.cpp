@@ -71,7 +71,7 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
     world.bodies[1].where = BodyWhere::falling;
     world.bodies[1].pose_W.position.y() = 0.7;
     SessionInput input;
-    input.time_s = 0.005;
+    input.clock_s = 0.005;
     input.world = &world;
     input.world_events = {{WorldEvent::Kind::caught, 2, 0.001, 1.0},
                           {WorldEvent::Kind::landed, 3, 0.002, 1.0}};
@@ -93,7 +93,7 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
     recorder->keep_output(0.0053, output, result);
     recorder->keep_output(0.0054, output, result);  // nothing new
     SessionInput touching;
-    touching.time_s = 0.0055;
+    touching.clock_s = 0.0055;
     touching.world = &world;
     touching.hand.touched_body = 4;
     touching.hand.tool.n_cut = 3;

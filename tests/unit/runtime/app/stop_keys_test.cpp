@@ -86,16 +86,56 @@ TEST_CASE("stop keys: a stop outlives the run, and a failed run's return lifts n
     CHECK_FALSE(third.is_pressed());
 }
 
-TEST_CASE("stop keys: an arm whose window lost the keyboard is stopped; a mouse goes on") {
+TEST_CASE(
+    "stop keys: where nothing pushes, escape and P pause, P and return go on, escape leaves") {
+    constexpr RunState kByMouse{.renders_force = false};
     Run run;
     StopKeys keys;
-    keys.lose_focus(true);
+    keys.watch(run.channels.get());
+    for (const char* goes_on : {"p", "return"}) {
+        CHECK(keys.take("escape", false, kByMouse) == StopKey::press);
+        CHECK(keys.paused());
+        CHECK(run.is_pressed());
+        CHECK(keys.take("a", false, kByMouse) == StopKey::nothing);
+        CHECK(keys.take(goes_on, false, kByMouse) == StopKey::lift);
+        CHECK_FALSE(keys.stopped());
+        CHECK(run.is_rearmed());
+    }
+    CHECK(keys.take("p", false, kByMouse) == StopKey::nothing);  // a letter, to who types
+    keys.switch_pause();
+    CHECK(keys.paused());
+    CHECK(keys.take("escape", false, kByMouse) == StopKey::leave);
+    keys.switch_pause();
+    CHECK_FALSE(keys.stopped());
+    // A stop is no pause, and P does not lift it.
+    CHECK(keys.take("escape", false, kPlaying) == StopKey::press);
+    CHECK_FALSE(keys.paused());
+    CHECK(keys.take("p", false, kPlaying) == StopKey::nothing);
+    CHECK(keys.stopped());
+}
+
+TEST_CASE(
+    "stop keys: who plays by mouse and looks elsewhere has a pause; who has not begun has none") {
+    Run run;
+    StopKeys keys;
+    keys.watch(run.channels.get());
+    keys.lose_focus(false, false);
+    CHECK_FALSE(keys.stopped());
+    keys.lose_focus(false, true);
+    CHECK(keys.paused());
+}
+
+TEST_CASE("stop keys: an arm whose window lost the keyboard is stopped, and is not paused") {
+    Run run;
+    StopKeys keys;
+    keys.lose_focus(true, true);
     CHECK_FALSE(keys.stopped());
     keys.watch(run.channels.get());
-    keys.lose_focus(false);
+    keys.lose_focus(false, false);
     CHECK_FALSE(run.is_pressed());
-    keys.lose_focus(true);
+    keys.lose_focus(true, true);
     CHECK(keys.stopped());
+    CHECK_FALSE(keys.paused());
     CHECK(run.is_pressed());
     press_each(keys, run, {{"return", false, StopKey::lift, false, true}});
 }

@@ -74,7 +74,7 @@ struct Play {
     double time_s = 0.0;
 
     const LessonFrame& frame(SessionInput input = {}) {
-        input.time_s = time_s;
+        input.clock_s = input.time_s = time_s;
         input.dt_s = 1.0 / 60.0;
         time_s += input.dt_s;
         return session->begin_frame(input);

@@ -26,6 +26,8 @@ inline View busy() {
     view.input = "the watermelon";
     view.banner = "The arm is not plugged in, so the mouse moves the bucket.";
     view.score = 12;
+    view.buttons = {ScreenButton::ask, ScreenButton::why, ScreenButton::say_again,
+                    ScreenButton::pause};
     return view;
 }
 

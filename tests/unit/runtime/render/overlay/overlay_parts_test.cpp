@@ -1,3 +1,4 @@
+#include "runtime/render/overlay/buttons.h"
 #include "runtime/render/overlay/measure.h"
 #include "runtime/render/overlay/microphone.h"
 #include "runtime/render/overlay/overlay_pass.h"
@@ -37,6 +38,55 @@ PanelLayout laid_out(const View& view) {
 }
 
 }  // namespace
+
+TEST_CASE(
+    "buttons: one after the other, large enough for a finger, where they were when a banner "
+    "comes") {
+    View view = busy();
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1024, 768}, {640, 480}}) {
+        const Measure measure(width, height);
+        Font font = andika();
+        view.banner = "Pause.";
+        const PanelLayout warned = lay_out_panels(view, font, measure);
+        view.banner.clear();
+        const PanelLayout layout = lay_out_panels(view, font, measure);
+        REQUIRE(layout.buttons.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            CHECK(layout.buttons[i].width >= measure.px(44.0F));
+            CHECK(layout.buttons[i].x == warned.buttons[i].x);
+            CHECK(layout.buttons[i].y == warned.buttons[i].y);
+            CHECK((i == 0 || layout.buttons[i].x > layout.buttons[i - 1].right()));
+        }
+    }
+    view.buttons.clear();
+    CHECK(laid_out(view).buttons.empty());
+}
+
+TEST_CASE("buttons: each has a sign of its own, and a pause shows how to go on") {
+    std::vector<std::vector<OverlayCorner>> signs;
+    for (const bool paused : {false, true}) {
+        for (const ScreenButton button : busy().buttons) {
+            View view;
+            view.buttons = {button};
+            view.paused = paused;
+            Font font(RendererSettings{}.font_folder);
+            DrawList list(font);
+            draw_buttons(view, {{10.0F, 10.0F, 52.0F, 52.0F}}, kMeasure, list);
+            signs.push_back(list.corners());
+        }
+    }
+    const auto is_same = [&](std::size_t i, std::size_t j) {
+        return std::ranges::equal(signs[i], signs[j], [](const auto& a, const auto& b) {
+            return a.x == b.x && a.y == b.y;
+        });
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            CHECK_FALSE(is_same(i, j));
+        }
+        CHECK(is_same(i, i + 4) == (i != 3));  // the last one is the pause's
+    }
+}
 
 TEST_CASE("panels: choices stand above the typed line, apart, each with room for its picture") {
     Font font = andika();

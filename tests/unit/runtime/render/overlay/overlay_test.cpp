@@ -60,7 +60,7 @@ TEST_CASE("panels: words can be read, each has a room of its own, and what was s
              {std::pair{1280, 720}, {1024, 768}, {2560, 1080}, {640, 480}}) {
             const Measure page(width, height);
             const std::vector<Box> boxes = lay_out_panels(busy(), font, page).shown();
-            CHECK(boxes.size() == 6);
+            CHECK(boxes.size() == 10);
             check_apart(boxes, page);
         }
     }

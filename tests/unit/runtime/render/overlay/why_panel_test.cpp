@@ -46,7 +46,7 @@ TEST_CASE("why panel: it lies in the picture beside the others, wherever the wor
             // Where there is room at all the strongest shares are there.
             if (width == 1280) {
                 CHECK(layout.why.rows.size() >= 2);
-                CHECK(boxes.size() == (is_low ? 6 : 7));
+                CHECK(boxes.size() == (is_low ? 10 : 11));
             }
         }
     }
