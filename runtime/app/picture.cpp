@@ -29,7 +29,7 @@ Expected<std::unique_ptr<Picture>> Picture::create(const Places& places) {
 
 std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
                                               const std::filesystem::path& lesson_folder) {
-    std::vector<std::string> names{"cursor"};
+    std::vector<std::string> names{"cursor", std::string(kHandModel)};
     std::vector<std::string> notices;
     if (lesson.hand.tool && !lesson.hand.tool->model.empty()) {
         names.push_back(lesson.hand.tool->model);

@@ -122,7 +122,13 @@ Expected<void> LessonSession::carry_out(const SoundCommand& command, SessionOutp
     return {};
 }
 
+Expected<void> LessonSession::carry_out(const ShowHandCommand& command, SessionOutput&) {
+    hud_.shown_hand_W = command.at_W;
+    return {};
+}
+
 Expected<void> LessonSession::carry_out(const FinishCommand& command, SessionOutput&) {
+    hud_.shown_hand_W.reset();
     hud_.stars = result_.stars = std::clamp(command.stars, 0, 3);
     result_.finished = true;
     dialogue_.close();

@@ -260,6 +260,17 @@ std::string force_text(const dialogue::Catalogue& catalogue, const std::string& 
     return hand + ": " + catalogue.say("hud.force", {{"newtons", newtons_text(force_N)}});
 }
 
+// As large in every picture.
+ViewBody show_hand(const CameraDescription& camera, const Vector3& at_W) {
+    constexpr double kFrom_m = 1.2;  // there it is as large as a child's
+    ViewBody hand;
+    hand.model = kHandModel;
+    hand.pose_W = Pose::at(at_W);
+    hand.scale = Vector3::Constant((camera.eye_W - camera.target_W).norm() / kFrom_m);
+    hand.marked = false;
+    return hand;
+}
+
 // Each in a colour of its own, and with its number for whoever cannot tell colours apart: before its newtons, or beside it where it feels
 // nothing. Forces are drawn to one scale.
 void add_more_hands(const LessonDescription& lesson, const Scenery& scenery,
@@ -326,6 +337,9 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     add_torques(lesson, scenery, catalogue, view);
     view.force.visible = view.force.visible && view.torques.empty();
     add_kite(lesson, hud, scenery, catalogue, view);
+    if (hud.shown_hand_W) {
+        view.bodies.push_back(show_hand(lesson.camera, *hud.shown_hand_W));
+    }
 
     view.title = lesson.title;
     view.caption = hud.caption;

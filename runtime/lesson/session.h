@@ -105,6 +105,7 @@ class LessonSession {
     Expected<void> carry_out(const ScoreCommand& command, SessionOutput& output);
     Expected<void> carry_out(const LevelCommand& command, SessionOutput& output);
     Expected<void> carry_out(const SoundCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const ShowHandCommand& command, SessionOutput& output);
     Expected<void> carry_out(const FinishCommand& command, SessionOutput& output);
     Expected<void> carry_out(const PrintCommand& command, SessionOutput& output);
 

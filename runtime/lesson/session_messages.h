@@ -54,6 +54,7 @@ struct SessionHud {
     bool invited = false;  ///< the answer was right; it may be said once more, and need not be
     std::vector<bool> covered{};  ///< by body: under a cloth
     KiteSeen kite{};
+    std::optional<Vector3> shown_hand_W{};  ///< where the program's own hand points
 };
 
 /// How one play went; what `fulcrum test` compares with what the lesson expects.

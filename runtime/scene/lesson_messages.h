@@ -187,6 +187,10 @@ struct SoundCommand {
 struct FinishCommand {
     std::int32_t stars = 0;  ///< 0 to 3
 };
+/// Shows the program's own hand there, or takes it away: it shows what to do, and touches nothing.
+struct ShowHandCommand {
+    std::optional<Vector3> at_W;
+};
 /// print(): for the teacher's terminal.
 struct PrintCommand {
     std::string text;
@@ -195,7 +199,8 @@ struct PrintCommand {
 using LessonCommand =
     std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand, CaptionCommand, AskCommand,
                  VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand,
-                 PrintCommand, CoverCommand, TurnCommand, KiteCommand, WindCommand, TellCommand>;
+                 PrintCommand, CoverCommand, TurnCommand, KiteCommand, WindCommand, TellCommand,
+                 ShowHandCommand>;
 
 /// Where a simulated hand wants to be.
 struct HandAim {

@@ -26,6 +26,9 @@ inline constexpr std::string_view kToolModel = "the tool in the hand";
 /// The same of a second hand.
 inline constexpr std::string_view kSecondToolModel = "the tool in the second hand";
 
+/// The program's own hand, which shows what to do: its first finger's tip is where it points.
+inline constexpr std::string_view kHandModel = "hand";
+
 /// A cloth over a body of that radius: what a covered body is drawn as.
 inline constexpr std::string_view kClothModel = "cloth";
 

@@ -128,17 +128,34 @@ L:question "lightest" {
 
 -- ---- the game -----------------------------------------------------------------------------------------------------
 
--- Lets a body fall until it is caught, then lets its weight be felt.
+-- Lets a body fall until it is caught, then lets its weight be felt. Who misses it often is told how, then shown where to wait, and
+-- in the end it is put into the bucket.
+local tells_after, shows_after, gives_after = 3, 6, 10   -- times
 local function catch(world, body)
   local a = fruit[body.name].a
+  local missed, event = 0, nil
   repeat
-    world:caption("Catch " .. a .. "!")
-    body:drop { at = { places[next_place], height, 0 } }
+    local x = places[next_place]
     next_place = next_place % #places + 1
-    local event = wait_for { "caught", "landed", body = body }
-    if event.name == "landed" then wait(1) end
-  until event.name == "caught"
-  game.point()
+    world:caption(missed < tells_after and "Catch " .. a .. "!" or "Look where it falls. Move the bucket under it.")
+    if missed >= shows_after then
+      world:show_hand { at = { x, 0.3, 0.12 } }
+      wait(2)
+    end
+    body:drop { at = { x, height, 0 } }
+    event = wait_for { "caught", "landed", body = body }
+    if event.name == "landed" then
+      missed = missed + 1
+      wait(1)
+    end
+  until event.name == "caught" or missed == gives_after
+  world:hide_hand()
+  if event.name == "caught" then
+    game.point()
+  else
+    game.miss()
+    body:hold()
+  end
   world:caption("This is " .. a .. ". Feel how heavy it is.")
   wait(3)
   world:caption ""

@@ -7,7 +7,7 @@ local game = require "game"
 local know = require "know"
 local numbers = require "numbers"
 local story = require "story"
-local wait, wait_until = story.wait, story.wait_until
+local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wait_with_help
 
 local L = lesson { id = "lever", title = "Can you lift the Earth?", level = "A2", minutes = 12, free_english = true }
 
@@ -68,7 +68,11 @@ end
 local function move_support(world, x)
   if lever.arm > 0 then
     world:caption "Lift your hand."
-    wait_until(function() return lever.arm == 0 end)
+    local at = world:tool().position
+    repeat   -- as long as it takes: nothing may jump under a hand
+    until wait_with_help(world, function() return lever.arm == 0 end, {
+      hint = "Go up, away from the lever.", show = { { at.x, height + top, 0 }, { at.x, height + 0.25, 0 } },
+    })
     world:caption ""
   end
   stand_support_at(x)
@@ -78,12 +82,20 @@ local function presses_at(world, x)
   return lever.arm > 0 and math.abs(world:tool().x - x) < 0.12 and math.abs(lever.torque) > 0.01
 end
 
--- Waits until the hand presses near the star, and gives whether the Earth left the ground. What there is to explain is told
--- while the hand still presses, for only then both arms and forces are drawn.
+-- Waits until the hand presses near the star, and gives whether the Earth left the ground; nil where nobody presses. What there is to
+-- explain is told while the hand still presses, for only then both arms and forces are drawn.
 local function press(world, x, seconds, explain)
   star:place { at = { x, height + 0.22, 0 } }
   local function is_pressed() return presses_at(world, x) end
-  wait_until(is_pressed)
+  local above = height + 0.2
+  local pressed = wait_with_help(world, is_pressed, {
+    hint = "Go above the lever, under the star. Then go down and press.",
+    show = { { x, above, 0 }, { x, height + top, 0 }, { x, height - 0.01, 0 } },
+  })
+  if not pressed then
+    star:hide()
+    return nil
+  end
   local lifted = wait_until(function() return lever.angle < 0 end, seconds)
   if lifted and explain then
     world:sound "pop"
@@ -98,7 +110,9 @@ end
 local function lift(world, x, explain)
   local load = level.weight
   for try = 1, 12 do
-    if press(world, x, 6, explain) then return true end
+    local lifted = press(world, x, 6, explain)
+    if lifted then return true end
+    if lifted == nil then break end   -- nobody presses
     wait(0.5)
     if try < 3 then
       world:caption "Press harder, under the star."

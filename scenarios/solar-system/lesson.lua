@@ -9,7 +9,7 @@ local know = require "know"
 local numbers = require "numbers"
 local planets = require "planets"
 local story = require "story"
-local wait, wait_until = story.wait, story.wait_until
+local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wait_with_help
 
 local L = lesson { id = "solar-system", title = "Can you turn a planet?", level = "A2", minutes = 15, free_english = true }
 
@@ -113,20 +113,29 @@ local function is_pushed(world, body, at)
 end
 
 -- Waits until the planet has been turned by so many degrees by pushes at a place; the star shows where. What there is to
--- explain is told while the hand still pushes, for only then its arm and force are drawn.
+-- explain is told while the hand still pushes, for only then its arm and force are drawn. Where nobody manages to, the planet is turned.
 local function turn(world, place, at, degrees, explain)
   local body = big[shown]
   star:place { at = at }
   best_arm[place] = 0
   local turned, last = 0, body.angle
-  wait_until(function()
+  local done = wait_with_help(world, function()
     if is_pushed(world, body, at) then
       best_arm[place] = math.max(best_arm[place], body.arm)
       turned = turned + math.abs(body.angle - last)
     end
     last = body.angle
     return turned >= degrees
-  end)
+  end, {
+    hint = "Go to the star until you touch the planet. Press, and go slowly to the right.",
+    show = { { at[1] - 0.1, at[2], at[3] + 0.05 }, { at[1] - 0.05, at[2], at[3] - 0.02 }, { at[1] + 0.1, at[2], at[3] - 0.02 } },
+  })
+  if not done then
+    world:caption "Look: I turn it."
+    best_arm[place] = math.sqrt(at[1] ^ 2 + (at[3] - near[3]) ^ 2)   -- as a hand there would have had
+    body:turn { spin = degrees }
+    wait(2)
+  end
   if explain then
     world:caption(explain)
     story.wait_while(function() return is_pushed(world, body, at) end, 4)

@@ -5,7 +5,7 @@
 local game = require "game"
 local know = require "know"
 local story = require "story"
-local wait, wait_until = story.wait, story.wait_until
+local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wait_with_help
 
 local L = lesson { id = "stacks", title = "Blocks", level = "A1", minutes = 10, free_english = true }
 
@@ -152,14 +152,28 @@ L:question "on_top" {
 
 -- ---- the game -----------------------------------------------------------------------------------------------------------
 
+-- Where the program's hand shows how a block goes to a place above which there is room.
+local function way(from, to)
+  local up = 0.12
+  return { { from.x, from.y, edge }, { from.x, from.y, edge / 2 }, { from.x, from.y + up, edge / 2 }, { to.x, to.y + up, edge / 2 }, { to.x, to.y, edge / 2 } }
+end
+
 local function lift(world, body)
   local rest = height[body.name] / 2
   world:caption("Touch the " .. body.noun .. ", hold the button and lift it.")
-  wait_until(function() return body.where == "held" and body.y > rest + lifted end)
+  local done = wait_with_help(world, function() return body.where == "held" and body.y > rest + lifted end, {
+    hint = "Go to the " .. body.noun .. " until you touch it. Hold the button, and go up.",
+    show = way(body, body),
+  })
+  if not done then
+    game.miss()
+    world:caption "Let's go on."
+    return wait(2)
+  end
   world:sound "pop"
   game.point()
   world:caption("Feel how heavy the " .. body.noun .. " is. Now put it down.")
-  wait_until(function() return body.where ~= "held" end)
+  wait_with_help(world, function() return body.where ~= "held" end, { hint = "Let go of the button." })
   wait_until(function() return body.resting end, 5)
   world:caption ""
 end
@@ -173,7 +187,11 @@ end
 
 local function stack(world, top, bottom)
   world:caption("Put the " .. top.noun .. " on top of the " .. bottom.noun .. ".")
-  local done = wait_until(function() return is_on(top, bottom) and top.where ~= "held" and top.resting end, 90)
+  local on = { x = bottom.x, y = bottom.y + edge, z = bottom.z }
+  local done = wait_with_help(world, function() return is_on(top, bottom) and top.where ~= "held" and top.resting end, {
+    hint = "Lift the " .. top.noun .. " above the " .. bottom.noun .. ", and let go.",
+    show = way(top, on), seconds = 90,
+  })
   if done then game.point() else game.miss() end
   world:caption ""
   return done

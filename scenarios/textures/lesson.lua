@@ -7,7 +7,7 @@
 local game = require "game"
 local know = require "know"
 local story = require "story"
-local wait, wait_until = story.wait, story.wait_until
+local wait, wait_with_help = story.wait, story.wait_with_help
 
 local L = lesson {
   id = "textures", title = "What is it made of?", level = "A1", minutes = 12, free_english = true,
@@ -97,10 +97,13 @@ end
 
 -- Waits until the hand has stroked so much of it; the star shows which one that is.
 local enough = 0.06
-local function feel(body)
+local function feel(world, body)
   star:place { at = { body.x, body.y + 0.13, body.z - 0.05 } }
   felt[body] = 0
-  wait_until(function() return felt[body] >= enough end)
+  wait_with_help(world, function() return felt[body] >= enough end, {
+    hint = "Go down until you touch it. Then go to the left and to the right.",
+    show = { { body.x - 0.05, body.y + 0.12, body.z }, { body.x - 0.05, body.y + 0.05, body.z }, { body.x + 0.05, body.y + 0.05, body.z } },
+  })
 end
 
 -- Nothing is moved where a hand is: it is led up first, above everything.
@@ -110,7 +113,10 @@ local function hands_off(world)
     world:caption "Lift your hand."
     guide:move { at = { 0, clear + 0.04, 0 } }
     guide:on()
-    wait_until(function() return world:tool().y >= clear end)
+    repeat   -- as long as it takes
+    until wait_with_help(world, function() return world:tool().y >= clear end, {
+      hint = "Go up, above everything.", show = { { 0, top + 0.1, 0 }, { 0, clear + 0.05, 0 } },
+    })
     guide:off()
   end
   world:caption ""
@@ -230,7 +236,7 @@ local function ask(world, question, body, hint, solution)
     again = function(answer)
       lead(world, body)
       world:caption("Feel it again." .. (not answer.right and answer.attempt >= 2 and " " .. hint or ""))
-      feel(body)
+      feel(world, body)
     end,
     solution = solution,
   })
@@ -241,7 +247,7 @@ local function seen(world)
   world:level(1, "Look and feel")
   for _, name in ipairs(names) do
     world:caption("This is " .. name .. ". Tap it and stroke it.")
-    feel(blocks[name])
+    feel(world, blocks[name])
     ask(world, "like_" .. name, blocks[name], "Is it hard? Is it rough?", description_of(name))
   end
 end
@@ -268,7 +274,7 @@ local function under_a_cloth(world)
     hidden = blocks[name]
     lead(world, hidden)
     world:caption(turn == 1 and "Feel what is under this cloth." or "And under this cloth? Feel it.")
-    feel(hidden)
+    feel(world, hidden)
     ask(world, "under", hidden, "Is it rough or smooth?", "It is " .. hidden.material.name .. ".")
     hands_off(world)
     hidden:uncover()
@@ -288,7 +294,7 @@ local function things_made(world)
   for _, thing in ipairs(things) do
     local body = made[thing.name]
     world:caption("This is a " .. thing.name .. ". Feel it.")
-    feel(body)
+    feel(world, body)
     ask(world, "made_" .. thing.name, body, "Is it metal, wood or rock?",
       "The " .. thing.name .. " is made of " .. body.material.name .. ".")
   end

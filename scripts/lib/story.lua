@@ -73,6 +73,68 @@ function story.wait_until(test, seconds)
   return true
 end
 
+local help_options = { hint = "string", show = "table", seconds = "number" }
+local hint_after, show_after, left_after = 20, 40, 60   -- seconds, of which the learner has nothing to do with the lesson's own waiting
+local way_seconds, stay_seconds = 1.2, 0.6              -- from one place to the next, and there
+
+local function check_help(called, help)
+  if type(help) ~= "table" then
+    mistake(called .. " takes a table of help, such as { hint = \"Press here.\", show = { { 0, 0.3, 0 } } }; got " .. shown(help))
+  end
+  for name, value in pairs(help) do
+    if help_options[name] == nil then program.unknown(called, help_options, name) end
+    if type(value) ~= help_options[name] then
+      mistake(called .. "'s " .. name .. " is a " .. (help_options[name] == "string" and "text" or help_options[name])
+        .. "; got " .. shown(value))
+    end
+  end
+end
+
+-- Where the program's hand is after so many seconds of going round between the places, and staying at each.
+local function place_on_way(places, seconds)
+  local each = way_seconds + stay_seconds
+  local step = math.floor(seconds / each)
+  local from, to = places[step % #places + 1], places[(step + 1) % #places + 1]
+  local share = math.min(math.max(seconds - step * each - stay_seconds, 0) / way_seconds, 1)
+  share = share * share * (3 - 2 * share)
+  return { from[1] + share * (to[1] - from[1]), from[2] + share * (to[2] - from[2]), from[3] + share * (to[3] - from[3]) }
+end
+
+--- Waits until the learner has done something, and never for ever: after 20 seconds `hint` is said, after 40 the program's own hand
+--- goes along the places of `show` as the learner's should, and after 60 (or `seconds`) it gives false: then do it for the learner, or
+--- go on without.
+---
+---   local done = story.wait_with_help(world, function() return ball.y > 0.3 end, {
+---     hint = "Hold the button on the ball, and go up.",
+---     show = { { 0, 0.1, 0 }, { 0, 0.4, 0 } },
+---   })
+---@param world World
+---@param test fun(): any
+---@param help table
+---@return boolean
+function story.wait_with_help(world, test, help)
+  if type(world) ~= "userdata" then mistake("story.wait_with_help takes the world first; got " .. shown(world)) end
+  check_test("story.wait_with_help", test)
+  check_help("story.wait_with_help", help)
+  local passed, hinted, shows = 0, false, false
+  local last = help.seconds or left_after
+  local done = test()
+  while not done and passed < last do
+    passed = passed + next_frame "story.wait_with_help"
+    done = test()
+    if not done and help.hint and not hinted and passed >= hint_after then
+      hinted = true
+      world:caption(help.hint)
+    end
+    if not done and help.show and passed >= show_after then
+      shows = true
+      world:show_hand { at = place_on_way(help.show, passed - show_after) }
+    end
+  end
+  if shows then world:hide_hand() end
+  return done and true or false
+end
+
 --- Waits until `test()` has been true for so many seconds in all, or twice as many have gone by: long enough to show something
 --- that is only seen while the hand presses, and no longer when it lets go.
 ---@param test fun(): any

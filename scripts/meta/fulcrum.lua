@@ -442,6 +442,16 @@ function World:level(level, title) end
 ---@param name string see Sounds; e.g. "pop"
 function World:sound(name) end
 
+---@class Show_handOptions
+---@field at Vector|Body|Tool where its first finger's tip is; in metres, -10000 to 10000
+
+---Shows the program's own hand there, a white glove: it shows what to do, and touches nothing.
+---@param options Show_handOptions
+function World:show_hand(options) end
+
+---Takes the program's own hand away.
+function World:hide_hand() end
+
 ---@class FinishOptions
 ---@field stars integer how well it went; 0 to 3
 

@@ -168,7 +168,8 @@ inline LessonReply full_reply() {
                   TurnCommand{0, 0.5, std::nullopt, Vector3(0.1, 0, 0), 4.0},
                   KiteCommand{KiteSettings{.tail_m = 4.0}, 0.5, 25.0, true, true},
                   WindCommand{8.5},
-                  TellCommand{"weight", "2 newtons."}};
+                  TellCommand{"weight", "2 newtons."},
+                  ShowHandCommand{Vector3(0.1, 0.2, 0.3)}};
     r.has_hand_target = true;
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;

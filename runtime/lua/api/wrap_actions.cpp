@@ -56,6 +56,16 @@ int play_sound(lua_State* lua, LessonContext& /*context*/, const Arguments& argu
     return 0;
 }
 
+int show_hand(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, ShowHandCommand{arguments["at"].vector});
+    return 0;
+}
+
+int hide_hand(lua_State* lua, LessonContext& /*context*/, const Arguments& /*arguments*/) {
+    add_command(lua, ShowHandCommand{});
+    return 0;
+}
+
 int finish(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
     add_command(lua, FinishCommand{static_cast<std::int32_t>(arguments["stars"].number)});
     return 0;
@@ -300,6 +310,25 @@ void add_action_api(ApiTable& table) {
                                "",
                                "Plays a sound.",
                                &play_sound});
+    table.functions.push_back(
+        {"world",
+         "show_hand",
+         CallShape::record,
+         kActing,
+         {{"at", vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, kRequired,
+           "where its first finger's tip is"}},
+         "",
+         "Shows the program's own hand there, a white glove: it shows what to do, and touches "
+         "nothing.",
+         &show_hand});
+    table.functions.push_back({"world",
+                               "hide_hand",
+                               kPositional,
+                               kActing,
+                               {},
+                               "",
+                               "Takes the program's own hand away.",
+                               &hide_hand});
     table.functions.push_back(
         {"world",
          "finish",

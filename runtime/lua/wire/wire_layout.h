@@ -329,6 +329,9 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
     } else if constexpr (std::is_same_v<Kind, WindCommand>) {
         a.number("the wind", c.speed_m_per_s, 0.0, kFastestWind_m_per_s);
         known_kite(a, bounds);
+    } else if constexpr (std::is_same_v<Kind, ShowHandCommand>) {
+        optional(a, "a shown hand", c.at_W,
+                 [](auto& each, auto& v) { vector(each, "a shown hand", v, kMaxCoordinate_m); });
     } else if constexpr (std::is_same_v<Kind, TellCommand>) {
         a.name("what is told", c.knowledge);
         a.text("what is told", c.text, kMaxTextBytes);

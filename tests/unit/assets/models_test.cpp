@@ -29,7 +29,7 @@ struct Maker {
     Vector3 size_m;  ///< of the box around it
 };
 
-const std::array<Maker, 41> kMakers{{{"watermelon", make_watermelon, {0.20, 0.166, 0.172}},
+const std::array<Maker, 42> kMakers{{{"watermelon", make_watermelon, {0.20, 0.166, 0.172}},
                                      {"apple", make_apple, {0.080, 0.085, 0.080}},
                                      {"banana", make_banana, {0.162, 0.061, 0.038}},
                                      {"egg", make_egg, {0.044, 0.057, 0.044}},
@@ -69,7 +69,8 @@ const std::array<Maker, 41> kMakers{{{"watermelon", make_watermelon, {0.20, 0.16
                                      {"gem", make_gem, {0.038, 0.060, 0.044}},
                                      {"handles", make_handles, {0.48, 0.1, 0.48}},
                                      {"cylinder", make_cylinder, {0.08, 0.16, 0.08}},
-                                     {"capsule", make_capsule, {0.08, 0.2, 0.08}}}};
+                                     {"capsule", make_capsule, {0.08, 0.2, 0.08}},
+                                     {"hand", make_hand, {0.1099, 0.1138, 0.0736}}}};
 
 /// Each model is made once.
 const Model& made(const Maker& maker) {

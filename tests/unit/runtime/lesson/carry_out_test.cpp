@@ -108,6 +108,10 @@ TEST_CASE("commands: a cloth lies on one body until it is taken away") {
     (void)play.reply({CoverCommand{1, true}});
     CHECK(play.session->hud().covered == std::vector<bool>{false, true});
     (void)play.reply({CoverCommand{1, false}});
+    (void)play.reply({ShowHandCommand{Vector3(0.1, 0.2, 0.3)}});
+    CHECK(play.session->hud().shown_hand_W == Vector3(0.1, 0.2, 0.3));
+    (void)play.reply({ShowHandCommand{}});
+    CHECK_FALSE(play.session->hud().shown_hand_W);
     CHECK(play.session->hud().covered == std::vector<bool>{false, false});
     CHECK(play.refuses(CoverCommand{2, true}));
     CHECK(play.refuses(CoverCommand{-1, true}));

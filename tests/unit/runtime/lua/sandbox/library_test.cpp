@@ -90,6 +90,47 @@ function L:key(name) self.holds = name == "down" end)");
     CHECK(player.prints == "false;true;held;let go;");
 }
 
+TEST_CASE(
+    "story: who does nothing is told, then shown by the program's own hand, and then it goes on") {
+    Player player;
+    player.start(std::string(kStory) + R"(
+    print(story.wait_with_help(world, function() return self.done end, {
+      hint = "Press here.", show = { { 0, 0.3, 0 }, { 0.2, 0.1, 0 } } }))
+    print(story.wait_with_help(world, function() return self.done end, { hint = "Again.", seconds = 1 }))
+  end)
+end
+function L:key(name) self.done = name == "down" end)");
+    // What was said and shown first, and when.
+    constexpr double kStep_s = 0.25;
+    double said_s = -1.0;
+    double shown_s = -1.0;
+    double hidden_s = -1.0;
+    Vector3 low{0.0, 9.0, 0.0};
+    Vector3 high{0.0, -9.0, 0.0};
+    for (double now_s = 0.0; now_s < 70.0 && player.prints.empty(); now_s += kStep_s) {
+        player.step({}, kStep_s);
+        for (const LessonCommand& command : player.last.commands) {
+            if (std::holds_alternative<CaptionCommand>(command) && said_s < 0.0) {
+                CHECK(std::get<CaptionCommand>(command).text == "Press here.");
+                said_s = now_s;
+            } else if (const auto* hand = std::get_if<ShowHandCommand>(&command)) {
+                (hand->at_W ? shown_s : hidden_s) = shown_s < 0.0 || !hand->at_W ? now_s : shown_s;
+                low = hand->at_W && hand->at_W->y() < low.y() ? *hand->at_W : low;
+                high = hand->at_W && hand->at_W->y() > high.y() ? *hand->at_W : high;
+            }
+        }
+    }
+    CHECK(player.prints == "false;");
+    CHECK(said_s == Approx(20.0).margin(2.0 * kStep_s));
+    CHECK(shown_s == Approx(40.0).margin(2.0 * kStep_s));
+    CHECK(hidden_s == Approx(60.0).margin(2.0 * kStep_s));
+    CHECK((low - Vector3(0.2, 0.1, 0.0)).norm() < 1e-9);
+    CHECK((high - Vector3(0.0, 0.3, 0.0)).norm() < 1e-9);
+    player.step({KeyEvent{"down"}});
+    player.step();
+    CHECK(player.prints == "false;true;");
+}
+
 TEST_CASE("story: waiting for what can't come is a mistake") {
     Player player;
     player.start(

@@ -167,6 +167,9 @@ TEST_CASE("wire: numbers, indices and names of a reply are checked") {
     CHECK_FALSE(take(LevelCommand{-1, ""}));
     CHECK_FALSE(take(FinishCommand{4}));
     CHECK(take(CoverCommand{1, false}));
+    CHECK(take(ShowHandCommand{}));
+    CHECK(take(ShowHandCommand{Vector3(1.0, 2.0, 3.0)}));
+    CHECK_FALSE(take(ShowHandCommand{Vector3(1.0, 2.0e9, 3.0)}));
     CHECK_FALSE(take(CoverCommand{4, true}));
     CHECK_FALSE(take(CoverCommand{-1, true}));
     CHECK_FALSE(take(SoundCommand{"../pop"}));
