@@ -1,4 +1,4 @@
-// The command line, read: what was asked for, or one sentence on what is wrong with it.
+// The command line, read: what was asked for, or one sentence on what is wrong with it; and the help, both from option_table.h.
 #pragma once
 
 #include "runtime/app/options.h"
@@ -12,10 +12,7 @@ namespace fulcrum::runtime {
 /// Parses the words after the program's name. Unknown words name the nearest known one.
 [[nodiscard]] Expected<Options> parse_options(std::span<const std::string> words);
 
-/// What `fulcrum help` prints; of one command its part alone, where it has one.
+/// What `fulcrum help` prints, where an option of several commands is described at the first; of one command its part alone, in full.
 [[nodiscard]] std::string usage(std::string_view command = {});
-
-/// Smallest number of single-letter edits between two words (Levenshtein 1966), for "did you mean".
-[[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace fulcrum::runtime

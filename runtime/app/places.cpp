@@ -1,6 +1,6 @@
 #include "runtime/app/places.h"
 
-#include "runtime/app/parse_options.h"
+#include "dialogue/english/letters.h"
 #include "runtime/files/user_folder.h"
 
 #include <algorithm>
@@ -125,11 +125,11 @@ Expected<fs::path> find_lesson(const Places& places, const std::string& name_or_
         return file.has_parent_path() ? file.parent_path() : fs::path(".");
     }
     const auto names = list_lesson_names(places);
-    const auto best =
-        std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-            return edit_distance(name_or_folder, a) < edit_distance(name_or_folder, b);
-        });
-    const bool close = best != names.end() && edit_distance(name_or_folder, *best) <= 2;
+    const auto distance = [&](const std::string& name) {
+        return dialogue::edit_distance(name_or_folder, name);
+    };
+    const auto best = std::ranges::min_element(names, {}, distance);
+    const bool close = best != names.end() && distance(*best) <= 2;
     return fail("there is no lesson \"" + name_or_folder + "\"", "",
                 close
                     ? "did you mean " + *best + "?  fulcrum list shows all lessons"

@@ -2,6 +2,7 @@
 
 #include "runtime/files/other_writers.h"
 #include "runtime/files/user_folder.h"
+#include "runtime/scene/lesson_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,11 @@ struct Limit {
     double low, high;
     std::optional<double> SiteFile::*place;
 };
-constexpr std::array<Limit, 4> kLimits{{{"force_limit", 0.5, 10.0, &SiteFile::force_N},
-                                        {"torque_limit", 0.0, 1.0, &SiteFile::torque_Nm},
-                                        {"speed_limit", 0.5, 10.0, &SiteFile::speed_m_per_s},
-                                        {"energy_limit", 0.5, 20.0, &SiteFile::energy_J}}};
+constexpr std::array<Limit, 4> kLimits{
+    {{"force_limit", kLeastForceLimit_N, kMostForceLimit_N, &SiteFile::force_N},
+     {"torque_limit", 0.0, 1.0, &SiteFile::torque_Nm},
+     {"speed_limit", 0.5, 10.0, &SiteFile::speed_m_per_s},
+     {"energy_limit", 0.5, 20.0, &SiteFile::energy_J}}};
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r");

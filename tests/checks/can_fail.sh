@@ -31,7 +31,7 @@ good_tree() {
     put README.md "# The house\n\n| folder | what |\n|---|---|\n$(cd "$tree" && printf '| `%s` | x |\\n' */)"
     put docs/measured.md "# Measured figures\n\n$(measured_row 0a1b2c3d '`./fulcrum bench wall`')\n\n[all](../README.md#the-house) [these](#measured-figures)"
     put fulcrum '#   ./fulcrum test [-L unit …]  runs all tests'
-    put runtime/app/usage.cpp '  fulcrum run LESSON         play a lesson'
+    put runtime/app/option_table.cpp '        {"run", run, "LESSON", "play a lesson"},'
     put tests/bench/curves/wall.cpp '#include "haptics/loop/step.h"\nconst Registration kWall{{\n    "wall", "stiff", run_wall}};'
     put tests/bench/figures/wall-cost.csv '# commit: 0a1b2c3d+\n# command: fulcrum bench'
     put haptics/base/error.h '#include <string>'
@@ -44,7 +44,7 @@ good_tree() {
     put dialogue/english/noun.cpp "$(own 'constexpr int kMost = 3;\nusing Kind = Noun::Kind;\nint twice(int n) {\n    return n;\n}')"
     put tests/unit/main_test.cpp ''
     put tests/unit/noun_test.cpp ''
-    put tests/unit/usage_test.cpp ''
+    put tests/unit/option_table_test.cpp ''
     put tests/checks/untested.txt '# none'
     put tests/mutation/changes.tsv "$(changes)"
     cp "$checks/../../.clang-format" "$tree"

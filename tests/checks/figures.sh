@@ -18,7 +18,7 @@ complain() {
 # "NAME FILE" of each benchmark.
 benches=$(awk '/^const Registration / { open = 1 }
     open && match($0, /"[a-z0-9-]+"/) { print substr($0, RSTART + 1, RLENGTH - 2), FILENAME; open = 0 }' tests/bench/curves/*.cpp)
-verbs=$(grep -hoE '^(#   \./|  )fulcrum [a-z]+' fulcrum runtime/app/usage.cpp | sed 's/.* //')
+verbs=$(sed -nE -e 's/^#   \.\/fulcrum ([a-z]+).*/\1/p' -e 's/^ +\{"([a-z]+)", [a-z_]+, .*/\1/p' fulcrum runtime/app/option_table.cpp)
 program="assets cmake dialogue haptics runtime scenarios scripts"
 
 # What a benchmark is made of: its file, what that includes, and the source beside each header.

@@ -1,5 +1,7 @@
 #include "runtime/lua/api/binding_table.h"
 
+#include "dialogue/english/letters.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -36,27 +38,6 @@ void add_callbacks(ApiTable& table) {
          {{"answer", "Answer"}},
          "The learner's answer has been marked and answered to."},
     };
-}
-
-/// Levenshtein's distance, with a swap of neighbours counting as one step.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> cost(a.size() + 1,
-                                               std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) {
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                cost[i][j] = i + j;
-                continue;
-            }
-            const std::size_t swap_in = a[i - 1] == b[j - 1] ? 0 : 1;
-            cost[i][j] =
-                std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + swap_in});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-            }
-        }
-    }
-    return cost[a.size()][b.size()];
 }
 
 /// The first function that gives such a thing: "world:hand" for a hand; empty when none does.
@@ -186,13 +167,11 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
         return same;
     }
     std::string best;
-    std::size_t least = std::max<std::size_t>(1, std::min(most_steps, word.size() / 2)) + 1;
-    if (word.size() > 40) {
-        return best;
-    }
+    int least =
+        static_cast<int>(std::max<std::size_t>(1, std::min(most_steps, word.size() / 2))) + 1;
     for (const std::string& candidate : candidates) {
-        const std::size_t distance = std::min(edit_distance(word, candidate),
-                                              1 + edit_distance(heard(word), heard(candidate)));
+        const int distance = std::min(dialogue::edit_distance(word, candidate),
+                                      1 + dialogue::edit_distance(heard(word), heard(candidate)));
         if (distance < least) {
             least = distance;
             best = candidate;

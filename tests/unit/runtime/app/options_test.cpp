@@ -1,4 +1,5 @@
 
+#include "runtime/app/option_table.h"
 #include "runtime/app/parse_options.h"
 #include "tests/support/table.h"
 #include "tests/unit/runtime/rig.h"
@@ -112,12 +113,6 @@ TEST_CASE("options: what cannot be is refused, where it can with what is meant o
     }
 }
 
-TEST_CASE("options: edit distance counts letters") {
-    CHECK(edit_distance("", "abc") == 3);
-    CHECK(edit_distance("kitten", "sitting") == 3);
-    CHECK(edit_distance("same", "same") == 0);
-}
-
 TEST_CASE("options: help is given wherever it is asked for") {
     for (const char* line :
          {"--help", "-h", "run --help", "run gravity --help", "list -h", "check gravity --help"}) {
@@ -159,4 +154,110 @@ TEST_CASE("options: each arm has a key of its own, what stands behind its --hand
         CHECK(read(row.line).arm.key_file == row.first);
         CHECK(read(row.line).more_keys == row.more);
     }
+}
+
+namespace {
+
+// A command line of that command with this option, as far as it needs words beside it.
+std::string line_with(const CommandRow& command, const OptionRow& option,
+                      const std::string& value) {
+    return spaced(Strings{std::string(command.word), command.takes.empty() ? "" : "x",
+                          std::string(option.name), value});
+}
+
+// Its words with one blank between them, as the help may break them otherwise.
+std::string unbroken(const std::string& text) {
+    std::istringstream stream(text);
+    Strings words;
+    for (std::string word; stream >> word;) {
+        words.push_back(word);
+    }
+    return ' ' + spaced(words) + ' ';
+}
+
+std::string help_of(const OptionRow& option) {
+    return unbroken(spaced(
+        Strings{std::string(option.name), std::string(option.value), std::string(option.text)}));
+}
+
+std::size_t count_of(const std::string& part, const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+// A value that it takes, beside its numbers.
+std::string good_value(const OptionRow& option) {
+    const std::map<std::string_view, std::string> others{
+        {"--axes", "-x,y,z"}, {"--middle", "0,0.1,0"}, {"--feedback", "recast,rule"}};
+    const auto other = others.find(option.name);
+    return option.low < option.high ? number_text(option.low)
+           : other != others.end()  ? other->second
+           : option.value.find('|') < option.value.size()
+               ? std::string(option.value.substr(0, option.value.find('|')))
+               : std::string(option.value);
+}
+
+}  // namespace
+
+TEST_CASE("options: every row of the table is taken, refused and explained as it says") {
+    const std::string all = unbroken(usage());
+    for (const CommandRow& command : command_rows()) {
+        if (command.text.empty() || command.command == Command::bench) {
+            continue;
+        }
+        const std::string own = unbroken(usage(command.word));
+        check_says(own, {unbroken(std::string(command.text))});
+        for (const OptionRow& option : option_rows()) {
+            INFO(command.word << ' ' << option.name);
+            const auto taken = [&](const std::string& value) {
+                return parse(line_with(command, option, value)).has_value();
+            };
+            CHECK(taken(good_value(option)) == option.is_of(command.command));
+            CHECK(count_of(help_of(option), own) == (option.is_of(command.command) ? 1 : 0));
+            CHECK(count_of(help_of(option), all) == 1);
+            if (!option.is_of(command.command) || !(option.low < option.high)) {
+                continue;
+            }
+            check_says(own, {number_text(option.low) + " to " + number_text(option.high) + ']'});
+            constexpr double kBeyond = 0.001;
+            CHECK(taken(number_text(option.high)));
+            CHECK_FALSE(taken(number_text(option.low - kBeyond)));
+            CHECK_FALSE(taken(number_text(option.high + kBeyond)));
+        }
+    }
+}
+
+TEST_CASE("options: each choice that the help names is taken, as itself, and no other word") {
+    const auto chosen = [](const std::string& line) {
+        const Options o = read(line);
+        return std::tuple(o.first_use, o.by, o.listen, o.format, o.arm.kind, o.arm.motion,
+                          o.voice.kind, o.fit.left_handed);
+    };
+    for (const OptionRow& option : option_rows()) {
+        const std::string value(option.value);
+        if (value.find('|') == std::string::npos ||
+            value.find_first_of("N:") != std::string::npos) {
+            continue;
+        }
+        const auto command = std::ranges::find_if(
+            command_rows(), [&](const CommandRow& row) { return option.is_of(row.command); });
+        std::vector<decltype(chosen(""))> seen;
+        for (const std::string& word : listed(value, "|")) {
+            const auto now = chosen(line_with(*command, option, word));
+            CHECK(std::ranges::find(seen, now) == seen.end());
+            seen.push_back(now);
+        }
+        CHECK(seen.size() > 1);
+        CHECK_FALSE(parse(line_with(*command, option, "other")));
+    }
+    CHECK(read("arm --arm desktop --motion circle").arm.kind == ArmKind::desktop);
+    CHECK(read("arm --arm desktop --motion circle").arm.motion ==
+          fulcrum::runtime::ArmMotion::circle);
+    // Per cent and milliseconds, as people say them; kept as parts and seconds.
+    const LinkFaults faults = read("arm --loss 25 --delay 40 --burst 3 --seed 9").arm.faults;
+    CHECK((faults.loss == 0.25 && faults.delay_s == 0.001 * 40.0));
+    CHECK((faults.burst == 3 && faults.seed == 9));
 }
