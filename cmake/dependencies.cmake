@@ -12,6 +12,7 @@ pkg_check_modules(freetype REQUIRED IMPORTED_TARGET freetype2)
 # Opened while running, where a lesson calls for it (dialogue/checking/link_grammar).
 pkg_check_modules(link_grammar REQUIRED link-grammar)
 pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
+pkg_check_modules(utf8proc REQUIRED IMPORTED_TARGET libutf8proc)
 pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
 pkg_check_modules(png REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(jpeg REQUIRED IMPORTED_TARGET libjpeg)

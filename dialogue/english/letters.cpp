@@ -1,5 +1,7 @@
 #include "dialogue/english/letters.h"
 
+#include "dialogue/unicode.h"
+
 #include <algorithm>
 #include <array>
 
@@ -10,10 +12,16 @@ constexpr std::size_t kLongestWord = 32;
 
 std::string lower_case(std::string_view text) {
     std::string result(text);
-    for (char& letter : result) {
-        if (letter >= 'A' && letter <= 'Z') {
-            letter = static_cast<char>(letter - 'A' + 'a');
+    for (std::size_t at = 0; at < text.size();) {
+        const Character character = character_at(text, at);
+        if (const char32_t small = small_letter(character.code); small != character.code) {
+            std::string letter;
+            append_utf8(letter, small);
+            if (letter.size() == character.bytes) {
+                result.replace(at, letter.size(), letter);
+            }
         }
+        at += character.bytes;
     }
     return result;
 }

@@ -1,4 +1,4 @@
-// Letters and words at the level of spelling: vowels, ASCII case, the distance between two words.
+// Letters and words at the level of spelling: vowels, case, the distance between two words.
 //
 // Thread: pure functions.  Cost: `edit_distance` is one table of (|a|+1) x (|b|+1) cells.
 // Source: Damerau 1964, "A technique for computer detection and correction of spelling errors", Communications of the ACM
@@ -16,7 +16,7 @@ namespace fulcrum::dialogue {
     return letter == 'a' || letter == 'e' || letter == 'i' || letter == 'o' || letter == 'u';
 }
 
-/// ASCII letters in lower case, all other bytes as they are.
+/// Capital letters small, byte for byte: a letter whose small one takes another number of bytes stays, and so do bytes that are no UTF-8.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
 /// The first letter in upper case when it is ASCII: "a watermelon" -> "A watermelon".

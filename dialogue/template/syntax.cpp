@@ -2,6 +2,7 @@
 
 #include "dialogue/english/letters.h"
 #include "dialogue/template/tokens.h"
+#include "dialogue/unicode.h"
 
 #include <algorithm>
 
@@ -265,7 +266,7 @@ class Parser {
         if (token.text == "not" && lower_case(letters) != "not") {
             return "n't";  // "isn't it?" is not asked as "is not it?"
         }
-        if (lower_case(letters) != token.text) {
+        if (folded(letters) != token.text) {
             return {};  // part of a contraction, a number in digits
         }
         if (token.end + 1 < plain.size() && plain[token.end] == '-' &&

@@ -1,71 +1,33 @@
 #include "dialogue/template/tokens.h"
 
 #include "dialogue/english/number.h"
+#include "dialogue/unicode.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
 namespace fulcrum::dialogue {
 namespace {
 
-/// One character of UTF-8; a broken byte is a space of length 1.
-struct Character {
-    std::uint32_t code = ' ';
-    std::size_t length = 1;
-};
-
-Character decode(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-    const std::uint8_t lead = byte(at);
-    if (lead < 0x80) {
-        return {lead, 1};
-    }
-    const std::size_t length = lead >= 0xF0 ? 4 : (lead >= 0xE0 ? 3 : 2);
-    if (lead < 0xC2 || lead > 0xF4 || at + length > text.size()) {
-        return {};
-    }
-    std::uint32_t code = lead & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(at + i) & 0xC0U) != 0x80U) {
-            return {};
-        }
-        code = (code << 6U) | (byte(at + i) & 0x3FU);
-    }
-    return {code, length};
-}
-
-bool is_digit(std::uint32_t code) {
+bool is_digit(char32_t code) {
     return code >= '0' && code <= '9';
 }
 
-bool is_apostrophe(std::uint32_t code) {
+bool is_apostrophe(char32_t code) {
     return code == '\'' || code == '`' || code == 0x2018 || code == 0x2019 || code == 0x02BC ||
            code == 0x00B4;
 }
 
 /// Letters and digits; beyond ASCII everything but known punctuation, spaces and private characters.
-bool is_word_character(std::uint32_t code) {
+bool is_word_character(char32_t code) {
     if (code < 0x80) {
         return is_digit(code) || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
     }
     const bool latin_letter = code >= 0xC0 && code != 0xD7 && code != 0xF7;
     const bool punctuation =  // with arrows and signs of calculation
         (code >= 0x2000 && code <= 0x206F) || (code >= 0x2190 && code <= 0x23FF) ||
-        (code >= 0x3000 && code <= 0x303F) || code >= 0xE000;
+        (code >= 0x3000 && code <= 0x303F) || code >= 0xE000;  // kReplacement too
     return latin_letter && !punctuation;
-}
-
-/// Adds `code` in lower case (ASCII and Latin-1), as UTF-8.
-void append_lower(std::string& word, std::string_view bytes, std::uint32_t code) {
-    if (code >= 'A' && code <= 'Z') {
-        word.push_back(static_cast<char>(code - 'A' + 'a'));
-    } else if (code >= 0xC0 && code <= 0xDE) {
-        word.push_back(bytes[0]);
-        word.push_back(static_cast<char>(static_cast<std::uint8_t>(bytes[1]) + 0x20));
-    } else {
-        word.append(bytes);
-    }
 }
 
 struct Ending {
@@ -162,32 +124,32 @@ std::string whole_digits(std::string_view text, std::size_t at, std::size_t& end
 
 /// A sign of its own before a number: "-3", no hyphen of "two-3" and no range "2-3".
 bool is_minus(std::string_view text, std::size_t at, const Character& sign) {
-    constexpr std::uint32_t kMinus = 0x2212;
-    const std::size_t next = at + sign.length;
+    constexpr char32_t kMinus = 0x2212;
+    const std::size_t next = at + sign.bytes;
     const bool apart = at == 0 || text[at - 1] == ' ' || text[at - 1] == '(';
     return (sign.code == '-' || sign.code == kMinus) && apart && next < text.size() &&
-           is_digit(decode(text, next).code);
+           is_digit(character_at(text, next).code);
 }
 
 /// Takes the run that begins at `at`; empty when a word can't begin there.
 Run take_run(std::string_view text, std::size_t at) {
-    Run run{{"", at, at}, at, is_digit(decode(text, at).code)};
+    Run run{{"", at, at}, at, is_digit(character_at(text, at).code)};
     if (run.number) {
         run.raw.text = whole_digits(text, at, run.raw.end);
         return run;
     }
     while (at < text.size()) {
-        const Character character = decode(text, at);
+        const Character character = character_at(text, at);
         const bool letter = is_word_character(character.code) && !is_digit(character.code);
         if (letter) {
-            append_lower(run.raw.text, text.substr(at, character.length), character.code);
+            append_folded(run.raw.text, character.code);
         } else if (is_apostrophe(character.code) && !run.raw.text.empty()) {
             run.raw.text.push_back('\'');
             run.apostrophe = at;
         } else {
             break;
         }
-        at += character.length;
+        at += character.bytes;
         run.raw.end = at;
     }
     return run;
@@ -201,11 +163,11 @@ std::vector<Token> tokenise(std::string_view text) {
     while (at < text.size()) {
         const Run run = take_run(text, at);
         if (run.raw.text.empty()) {
-            const Character sign = decode(text, at);
+            const Character sign = character_at(text, at);
             if (is_minus(text, at, sign)) {
-                tokens.push_back({"minus", at, at + sign.length});
+                tokens.push_back({"minus", at, at + sign.bytes});
             }
-            at += sign.length;
+            at += sign.bytes;
             continue;
         }
         at = run.raw.end;
@@ -216,7 +178,7 @@ std::vector<Token> tokenise(std::string_view text) {
         }
         push_number(tokens, run.raw);
         if (text.substr(at, 1) == "." && at + 1 < text.size() &&
-            is_digit(decode(text, at + 1).code)) {
+            is_digit(character_at(text, at + 1).code)) {
             tokens.push_back({"point", at, at + 1});
             ++at;
         }

@@ -3,8 +3,8 @@
 //
 //   "It's  the WATERMELON!" -> it is the watermelon      "don’t" -> do not      "3.5" -> three point five
 //
-// Every word knows the bytes it came from. Bytes that are not UTF-8 and control characters part words; letters beyond
-// ASCII stay as they are, so other alphabets are words too.
+// Every word knows the bytes it came from. Bytes that are not UTF-8 and control characters part words; capitals of
+// all alphabets are folded (unicode.h), and other alphabets are words too.
 //
 // Thread: pure functions.  Cost: linear in the text.
 #pragma once

@@ -1,6 +1,7 @@
 #include "runtime/app/simulated_desk.h"
 
 #include "dialogue/marking/mark_answer.h"
+#include "dialogue/unicode.h"
 #include "runtime/render/camera.h"
 
 #include <algorithm>
@@ -16,13 +17,8 @@ constexpr double kNearEnough_px = 1.0;
 // One key press a character, as a keyboard gives them: whole characters of UTF-8.
 std::vector<std::string> characters_of(const std::string& text) {
     std::vector<std::string> characters;
-    for (const char byte : text) {
-        const bool goes_on = (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-        if (goes_on && !characters.empty()) {
-            characters.back() += byte;
-        } else {
-            characters.emplace_back(1, byte);
-        }
+    for (std::size_t at = 0; at < text.size(); at += characters.back().size()) {
+        characters.push_back(text.substr(at, dialogue::character_at(text, at).bytes));
     }
     return characters;
 }

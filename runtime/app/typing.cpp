@@ -1,38 +1,23 @@
 #include "runtime/app/typing.h"
 
+#include "dialogue/unicode.h"
+
 namespace fulcrum::runtime {
-namespace {
-
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-bool is_control(char c) {
-    return static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
-}
-
-}  // namespace
 
 void TypedLine::add(std::string_view utf8) {
+    // One whole character at a time, so that none is ever cut.
     for (std::size_t at = 0; at < utf8.size();) {
-        // One whole character at a time, so that none is ever cut.
-        std::size_t end = at + 1;
-        while (end < utf8.size() && is_continuation(utf8[end])) {
-            ++end;
+        const auto [code, bytes, valid] = dialogue::character_at(utf8, at);
+        if (code >= 0x20 && code != 0x7F && text_.size() + bytes <= longest_bytes_) {
+            text_ += utf8.substr(at, bytes);
         }
-        const std::string_view character = utf8.substr(at, end - at);
-        if (!is_control(character.front()) && text_.size() + character.size() <= longest_bytes_) {
-            text_ += character;
-        }
-        at = end;
+        at += bytes;
     }
 }
 
 void TypedLine::backspace() {
-    while (!text_.empty() && is_continuation(text_.back())) {
-        text_.pop_back();
-    }
     if (!text_.empty()) {
-        text_.pop_back();
+        text_.resize(dialogue::whole_characters(text_, text_.size() - 1).size());
     }
 }
 

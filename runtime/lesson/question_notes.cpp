@@ -11,6 +11,7 @@
 #include "dialogue/speech/sound_dictionary.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
 #include "dialogue/template/tokens.h"
+#include "dialogue/unicode.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/lesson/sentence_form.h"
@@ -62,14 +63,12 @@ std::string listed(const std::vector<std::string>& words) {
 
 /// The first letter of `word` that is none of English's, as it is written; empty when all are.
 std::string foreign_letter(const std::string& word) {
-    const auto is_foreign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
-    const auto begin = std::ranges::find_if(word, is_foreign);
-    auto end = begin;
-    while (end != word.end() &&
-           (end == begin || (static_cast<unsigned char>(*end) & 0xC0U) == 0x80U)) {
-        ++end;
+    for (std::size_t at = 0; at < word.size(); ++at) {
+        if (const auto letter = dialogue::character_at(word, at); letter.code >= 0x80) {
+            return word.substr(at, letter.bytes);
+        }
     }
-    return {begin, end};
+    return {};
 }
 
 /// How often a word, or what it is a form of, stands in tagged texts.

@@ -2,6 +2,7 @@
 // in quotes, and a quote in it is doubled.
 #include "runtime/progress/report_csv.h"
 
+#include "dialogue/unicode.h"
 #include "runtime/progress/text_rules.h"
 
 #include <array>
@@ -24,7 +25,7 @@ using Row = std::array<std::string, kColumns>;
 // forms and after blanks, and control characters.
 bool looks_like_formula(std::string_view text) noexcept {
     for (std::size_t at = 0; at < text.size();) {
-        const Character character = character_at(text, at);
+        const dialogue::Character character = dialogue::character_at(text, at);
         if (is_control(character.code)) {
             return true;
         }

@@ -1,5 +1,6 @@
 #include "runtime/progress/report_text.h"
 
+#include "dialogue/unicode.h"
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ std::string_view next_piece(std::string_view word, std::size_t width) {
     std::size_t used = 0;
     std::size_t at = 0;
     while (at < word.size()) {
-        const Character character = character_at(word, at);
-        used += display_width(character.code);
+        const dialogue::Character character = dialogue::character_at(word, at);
+        used += static_cast<std::size_t>(dialogue::columns_of(character.code));
         if (used > width && at > 0) {
             break;
         }

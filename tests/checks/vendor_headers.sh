@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # vendor_headers.sh [ROOT]: fails on a vendor's header outside the one folder that may know it. haptics and dialogue
-# build on the standard library, Linux, tl::expected and (haptics) Eigen alone.
+# build on the standard library, Linux, tl::expected, (haptics) Eigen and (dialogue) utf8proc alone.
 set -euo pipefail
 cd "${1:-$(dirname -- "$0")/../..}"
 
@@ -21,6 +21,7 @@ BEGIN {
     home["^sodium[.]h$"] = "^runtime/link/"
     home["^(hidapi|libusb)"] = "^haptics/device/hid/hidapi/"
     home["^(pocketsphinx|ps_search|sphinxbase|flite|onnxruntime)"] = "^dialogue/speech/"
+    home["^utf8proc[.]h$"] = "^dialogue/unicode[.]cpp$"
     home["^link-grammar/"] = "^dialogue/checking/link_grammar/"
     # Whoever includes a header compiles all that it includes; Eigen costs three times what a header of ours does.
     home["^Eigen/"] = "^haptics/(math/to_eigen[.]h|.*[.]cpp)$"

@@ -1,5 +1,7 @@
 #include "runtime/audio/voice/voice_program.h"
 
+#include "dialogue/unicode.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,36 +15,26 @@ constexpr std::size_t kMostSpoken_bytes = 2000;  // some minutes
 constexpr std::size_t kLongestWord_bytes = 40;
 constexpr double kEspeakWords_per_min = 150.0;
 
-bool goes_on(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
-
-// As much of it as is said, without half a letter at its end.
-std::string_view cut(std::string_view text) {
-    std::size_t end = std::min(text.size(), kMostSpoken_bytes);
-    while (end > 0 && end < text.size() && goes_on(text[end])) {
-        --end;
-    }
-    return text.substr(0, end);
-}
-
 // What is said aloud of a text: no emphasis marks, nothing that a program might take for a command, no word without an end, over which
 // flite thinks for minutes.
 std::string to_spoken(std::string_view text) {
     std::string spoken;
     std::size_t word = 0;
-    for (const char letter : cut(text)) {
-        const bool is_control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F;
-        const char said = is_control ? ' ' : letter;
-        if (letter == '*') {
+    text = dialogue::whole_characters(text, kMostSpoken_bytes);
+    for (std::size_t at = 0; at < text.size();) {
+        const auto [code, bytes, valid] = dialogue::character_at(text, at);
+        const std::string_view letter = text.substr(at, bytes);
+        at += bytes;
+        if (code == '*') {
             continue;
         }
-        word = said == ' ' ? 0 : word + 1;
-        if (word > kLongestWord_bytes && !goes_on(said)) {
+        const bool is_blank = code <= ' ' || code == 0x7F;
+        word = is_blank ? 0 : word + bytes;
+        if (word > kLongestWord_bytes) {
             spoken += ' ';
-            word = 1;
+            word = bytes;
         }
-        spoken += said;
+        spoken += is_blank ? " " : letter;
     }
     return spoken;
 }

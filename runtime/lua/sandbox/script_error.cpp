@@ -1,5 +1,6 @@
 #include "runtime/lua/sandbox/script_error.h"
 
+#include "dialogue/unicode.h"
 #include "runtime/lua/sandbox/safe_library.h"
 
 #include <algorithm>
@@ -91,16 +92,7 @@ ScriptError place_in_lesson(lua_State* lua) {
 }
 
 std::string clean_text(std::string_view text, std::size_t max_bytes) {
-    std::string clean(text.substr(0, max_bytes));
-    // A cut may have split the last character; then what is left of it goes too.
-    if (text.size() > max_bytes && (static_cast<std::uint8_t>(text[max_bytes]) & 0xC0U) == 0x80U) {
-        while (!clean.empty() && (static_cast<std::uint8_t>(clean.back()) & 0xC0U) == 0x80U) {
-            clean.pop_back();
-        }
-        if (!clean.empty() && static_cast<std::uint8_t>(clean.back()) >= 0xC0U) {
-            clean.pop_back();
-        }
-    }
+    std::string clean(dialogue::whole_characters(text, max_bytes));
     if (!is_clean_utf8(clean)) {
         for (char& c : clean) {
             const auto byte = static_cast<std::uint8_t>(c);

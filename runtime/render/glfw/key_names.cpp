@@ -74,25 +74,4 @@ std::string key_name(int glfw_key, const char* layout_name) {
     return {};
 }
 
-std::string utf8_of(unsigned int code_point) {
-    constexpr unsigned int kLast = 0x10FFFFU;
-    const bool surrogate = code_point >= 0xD800U && code_point <= 0xDFFFU;
-    if (code_point > kLast || surrogate) {
-        return {};
-    }
-    const auto tail = [&](unsigned int shift) {
-        return static_cast<char>(0x80U | ((code_point >> shift) & 0x3FU));
-    };
-    if (code_point < 0x80U) {
-        return {static_cast<char>(code_point)};
-    }
-    if (code_point < 0x800U) {
-        return {static_cast<char>(0xC0U | (code_point >> 6U)), tail(0)};
-    }
-    if (code_point < 0x10000U) {
-        return {static_cast<char>(0xE0U | (code_point >> 12U)), tail(6), tail(0)};
-    }
-    return {static_cast<char>(0xF0U | (code_point >> 18U)), tail(12), tail(6), tail(0)};
-}
-
 }  // namespace fulcrum::runtime

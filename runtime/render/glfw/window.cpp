@@ -1,5 +1,6 @@
 #include "runtime/render/glfw/window.h"
 
+#include "dialogue/unicode.h"
 #include "runtime/render/gl/read_framebuffer.h"
 #include "runtime/render/glfw/key_names.h"
 
@@ -86,7 +87,7 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers
 
 void on_text(GLFWwindow* window, unsigned int code_point) {
     KeyPress typed;
-    typed.text = utf8_of(code_point);
+    dialogue::append_utf8(typed.text, code_point);
     events_of(window).pressed.push_back(std::move(typed));
 }
 

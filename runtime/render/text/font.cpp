@@ -1,5 +1,6 @@
 #include "runtime/render/text/font.h"
 
+#include "dialogue/unicode.h"
 #include "runtime/text/utf8.h"
 
 #include <ft2build.h>
@@ -95,7 +96,7 @@ Found Font::Parts::look_up(Face style, char32_t character) const {
     // The first face that has the character, else a sign for a missing one.
     Found result;
     const auto& candidates = list(style);
-    for (const char32_t wanted : {character, kReplacement, U'?'}) {
+    for (const char32_t wanted : {character, dialogue::kReplacement, U'?'}) {
         for (std::size_t i = 0; i < candidates.size() && result.glyph == 0; ++i) {
             result.glyph = FT_Get_Char_Index(candidates[i], wanted);
             result.face = i;

@@ -1,3 +1,4 @@
+#include "dialogue/unicode.h"
 #include "runtime/progress/database_path.h"
 #include "runtime/progress/records.h"
 #include "runtime/progress/text_rules.h"
@@ -162,28 +163,30 @@ TEST_CASE("nickname: control, hidden and reordering characters are refused") {
     }
 }
 
-TEST_CASE("UTF-8: only its shortest, complete forms of real characters are valid") {
-    // Unicode 15.0, table 3-7: well-formed byte sequences, at the edges of each row.
-    for (const std::string& good :
-         {std::string(1, '\0'), std::string("\x7f"), std::string("\xC2\x80"),
-          std::string("\xDF\xBF"), std::string("\xE0\xA0\x80"), std::string("\xED\x9F\xBF"),
-          std::string("\xEE\x80\x80"), std::string("\xEF\xBF\xBF"), std::string("\xF0\x90\x80\x80"),
-          std::string("\xF4\x8F\xBF\xBF")}) {
-        CHECK(character_at(good, 0).valid);
-        CHECK(character_at(good, 0).bytes == good.size());
-    }
-    for (const char* bad :
-         {"\x80", "\xBF", "\xC0\x80", "\xC1\xBF", "\xE0\x9F\xBF", "\xED\xA0\x80", "\xED\xBF\xBF",
-          "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF", "\xC3", "\xE2\x82",
-          "\xF0\x9F\x8D", "\xC3(", "\xE2(\xA1"}) {
+TEST_CASE("nickname: what is no UTF-8 is refused") {
+    for (const char* bad : {"\x80", "\xC0\x80", "\xED\xA0\x80", "\xC3", "\xE2(\xA1"}) {
         CAPTURE(bad);
-        CHECK_FALSE(character_at(bad, 0).valid);
-        CHECK(character_at(bad, 0).bytes == 1);
         CHECK_FALSE(checked_nickname(std::string("a") + bad));
     }
-    CHECK(character_at("é", 0).code == 0xE9);
-    CHECK(character_at("민", 0).code == 0xBBFC);
-    CHECK(character_at("🍉", 0).code == 0x1F349);
+}
+
+TEST_CASE("nickname: capitals, blanks and how an accent was typed make no other name") {
+    for (const auto& [one, other] :
+         std::vector<std::pair<const char*, const char*>>{{"Mina", "MINA"},
+                                                          {" Mina  \u00A0\u3000 B. ", "mina b."},
+                                                          {"José", "JOSE\u0301"},
+                                                          {"Strauß", "STRAUSS"},
+                                                          {"Zoë", "zoe\u0308"},
+                                                          {"Юля", "ЮЛЯ"},
+                                                          {"민아", "\u1106\u1175\u11ABᄋ\u1161"}}) {
+        CAPTURE(one, other);
+        CHECK(folded_nickname(one) == folded_nickname(other));
+    }
+    for (const auto& [one, other] : std::vector<std::pair<const char*, const char*>>{
+             {"Jose", "José"}, {"Mina B", "MinaB"}, {"Mina", "Mia"}, {"İpek", "Ipek"}}) {
+        CAPTURE(one, other);
+        CHECK(folded_nickname(one) != folded_nickname(other));
+    }
 }
 
 TEST_CASE("kept text: any bytes become clean UTF-8, and mending twice changes nothing") {
@@ -198,7 +201,7 @@ TEST_CASE("kept text: any bytes become clean UTF-8, and mending twice changes no
         const std::string kept = kept_text(bytes);
         REQUIRE(kept_text(kept) == kept);
         for (std::size_t at = 0; at < kept.size();) {
-            const Character character = character_at(kept, at);
+            const auto character = fulcrum::dialogue::character_at(kept, at);
             REQUIRE(character.valid);
             REQUIRE_FALSE(is_control(character.code));
             at += character.bytes;

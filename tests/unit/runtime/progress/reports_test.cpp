@@ -1,3 +1,4 @@
+#include "dialogue/unicode.h"
 #include "runtime/progress/report.h"
 #include "runtime/progress/report_cells.h"
 #include "runtime/progress/report_csv.h"
@@ -365,7 +366,7 @@ TEST_CASE("report: no line is wider than 80 columns, and nothing moves the curso
         CAPTURE(line);
         CHECK(display_width(line) <= 80);
         for (std::size_t at = 0; at < line.size();) {
-            const Character character = character_at(line, at);
+            const auto character = fulcrum::dialogue::character_at(line, at);
             CHECK(character.valid);
             CHECK_FALSE(is_control(character.code));
             at += character.bytes;

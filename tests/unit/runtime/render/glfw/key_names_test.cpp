@@ -22,15 +22,6 @@ TEST_CASE("keys: names as lessons know them") {
     CHECK(key_name(-1, nullptr).empty());
 }
 
-TEST_CASE("keys: typed code points become UTF-8") {
-    CHECK(utf8_of('a') == "a");
-    CHECK(utf8_of(0xE9) == "\xC3\xA9");
-    CHECK(utf8_of(0x20AC) == "\xE2\x82\xAC");
-    CHECK(utf8_of(0x1F34E) == "\xF0\x9F\x8D\x8E");
-    CHECK(utf8_of(0xD800).empty());
-    CHECK(utf8_of(0x110000).empty());
-}
-
 TEST_CASE("window: without a display there is none, in one sentence") {
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
