@@ -1,4 +1,5 @@
 // What each command of a lesson does, and how a question is asked.
+#include "dialogue/unicode.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lesson/undeclared.h"
 #include "runtime/progress/text_rules.h"
@@ -149,12 +150,10 @@ constexpr std::size_t kLongestAnswer_bytes = 400;
 
 }  // namespace
 
-// Whatever a keyboard, a file or a recogniser gives: clean UTF-8 of a sentence's length.
+// Whatever a keyboard, a file or a recogniser gives: clean UTF-8 in NFC, of a sentence's length.
 void LessonSession::hear(const dialogue::Hypothesis& heard) {
-    std::string words = kept_text(heard.text);
-    if (words.size() > kLongestAnswer_bytes) {
-        words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
-    }
+    std::string words = dialogue::composed(kept_text(heard.text));
+    words.resize(dialogue::whole_characters(words, kLongestAnswer_bytes).size());
     const bool may_be_asking =
         knowledge_ && (dialogue_.wants_question() || !dialogue_.understands(words));
     if (knowledge_ && !may_be_asking && !dialogue_.listens()) {

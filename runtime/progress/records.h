@@ -39,8 +39,7 @@ inline constexpr const char* kSimulatedPupil = "simulated pupil";
 /// A pupil under a nickname; a real name is never asked for.
 struct Learner {
     LearnerId id;
-    std::string nickname;  ///< 1 to 40 characters, see `checked_nickname`; unique, "Mina" and
-                           ///< "mina" are one
+    std::string nickname;  ///< 1 to 40 characters, see `checked_nickname`; unique
     std::int64_t enrolled_utc_ms = 0;
 
     bool operator==(const Learner&) const = default;

@@ -1,5 +1,7 @@
 #include "runtime/progress/report.h"
 
+#include "runtime/progress/text_rules.h"
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -195,13 +197,6 @@ std::unordered_map<LearnerId, LearnerTally> tally(const ProgressData& data) {
     return learners;
 }
 
-std::string lower_ascii(std::string text) {
-    for (char& c : text) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return text;
-}
-
 }  // namespace
 
 Report compute_report(const ProgressData& data, const ProgressFilter& filter) {
@@ -229,8 +224,8 @@ Report compute_report(const ProgressData& data, const ProgressFilter& filter) {
         report.learners.clear();
     }
     std::sort(report.learners.begin(), report.learners.end(), [](const auto& a, const auto& b) {
-        return std::pair(lower_ascii(a.learner.nickname), a.learner.id) <
-               std::pair(lower_ascii(b.learner.nickname), b.learner.id);
+        return std::pair(folded_nickname(a.learner.nickname), a.learner.id) <
+               std::pair(folded_nickname(b.learner.nickname), b.learner.id);
     });
     return report;
 }

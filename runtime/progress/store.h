@@ -24,7 +24,7 @@ namespace fulcrum::runtime {
 
 /// Which part of the progress is wanted; an empty field takes all.
 struct ProgressFilter {
-    std::string nickname;  ///< as it was enrolled; ASCII capitals do not matter
+    std::string nickname;  ///< as `enrol` takes it
     std::string lesson;    ///< a lesson's id
 };
 
@@ -48,8 +48,8 @@ class ProgressStore {
     /// False when nothing is kept (the null store): say so to the teacher.
     [[nodiscard]] virtual bool keeps() const noexcept = 0;
 
-    /// The learner of this nickname, enrolled now if there is none. Refuses what `checked_nickname`
-    /// refuses.
+    /// The learner of this nickname, enrolled now, in NFC, if there is none: the one of that very name first, else one whose name is the
+    /// same but for capitals, blanks and how its letters are composed. Refuses what `checked_nickname` refuses.
     [[nodiscard]] virtual Expected<Learner> enrol(std::string_view nickname) = 0;
 
     /// Keeps a learner under an id that the caller made. Refuses a nickname that another learner

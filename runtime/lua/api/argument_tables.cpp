@@ -1,4 +1,5 @@
 // Texts, and the tables that hold them, out of what a lesson passes; and the sentence for what is none.
+#include "dialogue/unicode.h"
 #include "runtime/lua/api/argument_place.h"
 #include "runtime/lua/sandbox/safe_library.h"
 
@@ -67,7 +68,11 @@ std::string check_text(lua_State* lua, const Place& place, int index, std::size_
     if (!is_clean_utf8({text, n})) {
         raise_in_lesson(lua, place.label + " is no clean UTF-8 text; save the file as UTF-8");
     }
-    return {text, n};
+    std::string whole = dialogue::composed({text, n});
+    if (whole.size() > max_bytes) {  // some characters are longer in NFC
+        refuse(lua, place, std::to_string(whole.size()) + " letters");
+    }
+    return whole;
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "runtime/progress/sqlite/queries.h"
 
+#include "dialogue/unicode.h"
 #include "runtime/progress/sqlite/rows.h"
 #include "runtime/progress/text_rules.h"
 
@@ -108,12 +109,32 @@ void require(Database& database, const char* sql, const RecordId& id, const char
 
 }  // namespace
 
-Learner enrol(Database& database, const std::string& nickname) {
-    Statement row(database, (std::string(kSelectLearner) + " WHERE nickname = ?").c_str());
-    if (row.bind(nickname).step()) {
-        return learner_of(row);
+std::optional<Learner> find_called(Database& database, const std::string& nickname) {
+    for (const std::string& name : {nickname, dialogue::composed(nickname)}) {
+        Statement exact(database, (std::string(kSelectLearner) + " WHERE nickname = ?").c_str());
+        if (exact.bind(name).step()) {
+            return learner_of(exact);
+        }
     }
-    Learner learner{random_record_id(), nickname, utc_now_ms()};
+    const std::string folded = folded_nickname(nickname);
+    Statement each(database, (std::string(kSelectLearner) + " ORDER BY row").c_str());
+    while (each.step()) {
+        if (Learner learner = learner_of(each); folded_nickname(learner.nickname) == folded) {
+            return learner;
+        }
+    }
+    return std::nullopt;
+}
+
+Learner enrol(Database& database, const std::string& nickname) {
+    if (auto known = find_called(database, nickname)) {
+        return *std::move(known);
+    }
+    auto kept = checked_nickname(dialogue::composed(nickname));
+    if (!kept) {
+        throw Refused(kept.error());
+    }
+    Learner learner{random_record_id(), *std::move(kept), utc_now_ms()};
     keep(database, learner);
     return learner;
 }

@@ -5,9 +5,16 @@
 #include "runtime/progress/sqlite/database.h"
 #include "runtime/progress/store.h"
 
+#include <optional>
+#include <string>
+
 namespace fulcrum::runtime::sqlite {
 
-/// The learner of this (checked) nickname, added if there is none.
+/// Whom a nickname means: the learner of that very name, as it is or in NFC (but for capitals of ASCII), else the first enrolled whose name folds to the same
+/// (folded_nickname). Two names that were kept apart are so both still found.
+[[nodiscard]] std::optional<Learner> find_called(Database& database, const std::string& nickname);
+
+/// The learner whom this (checked) nickname means, added if there is none.
 [[nodiscard]] Learner enrol(Database& database, const std::string& nickname);
 
 /// Adds a (validated) record. One that is there already with the same content is left; with other

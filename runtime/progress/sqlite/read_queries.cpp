@@ -74,7 +74,12 @@ void read_attempts(Database& database, const ProgressFilter& filter, ProgressDat
 
 }  // namespace
 
-ProgressData read(Database& database, const ProgressFilter& filter) {
+ProgressData read(Database& database, const ProgressFilter& given) {
+    ProgressFilter filter = given;
+    if (const auto called =
+            given.nickname.empty() ? std::nullopt : find_called(database, given.nickname)) {
+        filter.nickname = called->nickname;
+    }
     ProgressData data;
     for_each_row(
         database,

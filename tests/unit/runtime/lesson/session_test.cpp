@@ -1,5 +1,6 @@
 #include "runtime/lesson/session.h"
 
+#include "dialogue/unicode.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
 #include "tests/unit/runtime/rig.h"
 
@@ -194,6 +195,26 @@ TEST_CASE("session: whatever bytes are said, the lesson gets clean words") {
     play.reply({AskCommand{"heaviest"}});
     play.hear(std::string(100'000, 'a'));
     CHECK(play.store.data.attempts.back().said.size() <= 400);
+}
+
+TEST_CASE(
+    "session: an answer is the same however its letters are composed and whatever their case") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"it is a café"};
+    for (const char* said :
+         {"it is a café", "it is a cafe\u0301", "IT IS A CAFÉ", "It is a CAFE\u0301."}) {
+        CAPTURE(said);
+        Play play(lesson);
+        play.ask();
+        const AnsweredEvent answered = play.answer(said, true);
+        CHECK(answered.understood);
+        CHECK(answered.said == fulcrum::dialogue::composed(said));
+    }
+    Play play(lesson);
+    play.ask();
+    play.hear("it is a cafe");
+    REQUIRE(play.store.data.attempts.size() == 1);
+    CHECK_FALSE(play.store.data.attempts[0].understood);
 }
 
 TEST_CASE("session: of whom the meaning alone is heard the form is not known") {

@@ -291,6 +291,38 @@ TEST_CASE("store: a nickname enrols once, whatever its capitals, and is bound, n
     CHECK(query(room.path, "SELECT count(*) FROM learner") == "3");
 }
 
+TEST_CASE("store: a name means its learner however it is written, and two kept names stay two") {
+    OwnClassroom room;
+    const Learner jose = value_of(room.store->enrol("Jose\u0301  B"));
+    CHECK(jose.nickname == "José  B");
+    for (const char* same : {"José B", "JOSÉ b", " jose\u0301\u00A0b "}) {
+        CAPTURE(same);
+        CHECK(value_of(room.store->enrol(same)) == jose);
+        const auto read = value_of(room.store->read({same, ""}));
+        REQUIRE(read.learners.size() == 1);
+        CHECK(read.learners[0] == jose);
+    }
+    CHECK(value_of(room.store->enrol("Jose B")).id != jose.id);
+
+    // An older program kept these apart: each is found by its own name, and another spelling means the first.
+    const std::vector<Learner> kept{{random_record_id(), "Ünal", 1},
+                                    {random_record_id(), "ünal", 2},
+                                    {random_record_id(), "Zoe\u0308", 3},
+                                    {random_record_id(), "Zoë", 4}};
+    for (const Learner& learner : kept) {
+        REQUIRE(room.store->add_learner(learner));
+    }
+    for (const Learner& learner : kept) {
+        CHECK(value_of(room.store->enrol(learner.nickname)) == learner);
+        CHECK(value_of(room.store->read({learner.nickname, ""})).learners ==
+              std::vector<Learner>{learner});
+    }
+    CHECK(value_of(room.store->enrol("u\u0308nal")) == kept[1]);
+    CHECK(value_of(room.store->enrol("ÜNAL")) == kept[0]);
+    CHECK(value_of(room.store->enrol("ZOË")) == kept[2]);
+    CHECK(value_of(room.store->read({})).learners.size() == 7);
+}
+
 TEST_CASE("opening: a new database is private, logged ahead and of this version") {
     const TemporaryFolder folder;
     const std::string path = folder.file("a b#%?/deep/progress.db");
