@@ -52,11 +52,9 @@ Conversation::Conversation(const Catalogue& catalogue, ConversationSettings sett
     : catalogue_(&catalogue), settings_(std::move(settings)) {}
 
 std::vector<std::string> Conversation::ask(const Question& question, int number, int of) {
+    happen(CourseEvent::ask);
     question_ = question;
-    state_ = State::asked;
-    repeating_ = false;
-    attempt_ = wrong_ = unheard_ = bad_repeats_ = 0;
-    wanted_help_ = false;
+    count_anew();
     std::vector<std::string> lines = sentences_of(question.prompt);
     if (number > 0) {
         const CatalogueSlots slots{{"n", std::to_string(number)},
@@ -66,16 +64,29 @@ std::vector<std::string> Conversation::ask(const Question& question, int number,
     return lines;
 }
 
-std::vector<std::string> Conversation::prompt_again() const {
+std::vector<std::string> Conversation::ask_again() {
+    if (happen(CourseEvent::resume).action != CourseAction::resume) {
+        count_anew();
+    }
     return question_ ? sentences_of(question_->prompt) : std::vector<std::string>{};
 }
 
+void Conversation::count_anew() {
+    attempt_ = wrong_ = unheard_ = bad_repeats_ = 0;
+    wanted_help_ = false;
+}
+
+CourseStep Conversation::happen(CourseEvent event) {
+    const CourseStep came = step(state_, event);
+    state_ = came.next;
+    return came;
+}
+
 Mark Conversation::hear(std::string_view text, double confidence, bool form) {
-    if (!question_ || state_ == State::idle) {
+    if (!question_) {
         return {};
     }
-    repeating_ = state_ == State::invited || (state_ == State::heard && repeating_);
-    state_ = State::heard;
+    happen(CourseEvent::hear);
     Mark mark = mark_answer(*question_, text, confidence);
     if (!form) {
         return without_form(std::move(mark));
@@ -85,14 +96,14 @@ Mark Conversation::hear(std::string_view text, double confidence, bool form) {
 }
 
 Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
-    if (state_ != State::heard) {
+    if (!is_judging(state_)) {
         return {};
     }
     if (!heard_well(mark.confidence)) {
         return heard_badly();
     }
     ++attempt_;
-    if (repeating_) {
+    if (is_invited(state_)) {
         return respond_to_repeat(mark, meaning_right);
     }
     if (!mark.understood) {
@@ -108,24 +119,18 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
 // It is no attempt, and says nothing of an invitation. A right answer is not held back for it: after some the invitation is over.
 Feedback Conversation::heard_badly() {
     constexpr int kMostBadRepeats = 2;
-    if (repeating_ && ++bad_repeats_ > kMostBadRepeats) {
-        state_ = State::done;
-        repeating_ = false;
-        return say(FeedbackKind::heard_badly, recast_key(accepted_),
-                   {{"sentence", accepted_.emphasised}});
+    if (is_invited(state_) && ++bad_repeats_ > kMostBadRepeats) {
+        return conclude(CourseEvent::right, say(FeedbackKind::heard_badly, recast_key(accepted_),
+                                                {{"sentence", accepted_.emphasised}}));
     }
-    Feedback feedback = say(FeedbackKind::heard_badly, "feedback.heard_badly");
-    feedback.ask_again = true;
-    state_ = repeating_ ? State::invited : State::asked;
-    return feedback;
+    return conclude(CourseEvent::unclear, say(FeedbackKind::heard_badly, "feedback.heard_badly"));
 }
 
 Feedback Conversation::respond_to_form(const Mark& mark) {
-    state_ = State::done;
     const FormError* error = mark.main_error();
     const Rest rest = read_rest(mark);
     if (error == nullptr) {
-        return rest.good ? praise(mark) : respond_to_rest(mark, rest);
+        return conclude(CourseEvent::right, rest.good ? praise(mark) : respond_to_rest(mark, rest));
     }
     const std::string& whole = rest.joined.empty() ? mark.emphasised : rest.joined;
     const CatalogueSlots sentence{{"sentence", whole}, {"gap", mark.gapped}};
@@ -140,7 +145,6 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
             feedback = say(FeedbackKind::prompt, "feedback.prompt", sentence);
             feedback.may_repeat = true;
             accepted_ = mark;
-            state_ = State::invited;
             break;
         case FeedbackStep::rule: {
             const std::string key = rule_key(*error);
@@ -160,7 +164,8 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
             break;
     }
     feedback.free_errors = rest.checked.errors;
-    return feedback;
+    return conclude(feedback.may_repeat ? CourseEvent::invite : CourseEvent::right,
+                    std::move(feedback));
 }
 
 Feedback Conversation::praise(const Mark& mark) {
@@ -179,8 +184,6 @@ Feedback Conversation::praise(const Mark& mark) {
 }
 
 Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {
-    state_ = State::done;
-    repeating_ = false;
     const bool repaired = mark.understood && meaning_right && mark.form_right();
     // What was said only needs its own error away; a short answer shows nothing about it.
     const bool shown = repaired && !mark.short_answer;
@@ -194,7 +197,7 @@ Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {
     if (shown) {
         seen_.clear();
     }
-    return feedback;
+    return conclude(CourseEvent::right, std::move(feedback));
 }
 
 Feedback Conversation::not_understood(const Mark& mark) {
@@ -202,7 +205,6 @@ Feedback Conversation::not_understood(const Mark& mark) {
     if (settings_.unheard_tries > 0 && unheard_ >= settings_.unheard_tries) {
         return move_on();
     }
-    state_ = State::asked;
     // Who asks for help needs no second try.
     wanted_help_ = wanted_help_ || wants_help(mark.said);
     const int rung = wanted_help_ ? unheard_ + 1 : unheard_;
@@ -218,11 +220,10 @@ Feedback Conversation::not_understood(const Mark& mark) {
     } else {
         feedback = tell(help_for(*question_, rung));
     }
-    feedback.ask_again = true;
     if (!wants_help(mark.said)) {
         show_good_english(mark, feedback);
     }
-    return feedback;
+    return conclude(CourseEvent::unclear, std::move(feedback));
 }
 
 // It is true, and no answer yet; it is no wrong one either.
@@ -230,13 +231,11 @@ Feedback Conversation::leaves_open(const Mark& mark) {
     if (settings_.unheard_tries > 0 && ++unheard_ >= settings_.unheard_tries) {
         return move_on();
     }
-    state_ = State::asked;
     Feedback feedback = say(FeedbackKind::not_understood, "feedback.leaves_open");
-    feedback.ask_again = true;
     if (mark.form_known && !mark.form_errors.empty()) {
         put_before(feedback, "feedback.free_form", {{"sentence", mark.emphasised}});
     }
-    return feedback;
+    return conclude(CourseEvent::unclear, std::move(feedback));
 }
 
 Feedback Conversation::tell(const Help& help) {
@@ -267,29 +266,31 @@ Feedback Conversation::wrong_meaning(const Mark& mark) {
     if (settings_.tries > 0 && wrong_ >= settings_.tries) {
         return move_on();
     }
-    state_ = State::asked;
     // What comes next depends on the lesson: only the question itself may tell more than "try again".
     if (mark.turned_round) {
-        Feedback feedback = say(FeedbackKind::wrong_meaning, "feedback.turned_round");
-        feedback.ask_again = true;
-        return feedback;
+        return conclude(CourseEvent::wrong,
+                        say(FeedbackKind::wrong_meaning, "feedback.turned_round"));
     }
     const std::string key =
         mark.other_number.empty() ? "feedback.wrong_meaning" : "feedback.other_number";
     Feedback feedback =
         say(FeedbackKind::wrong_meaning, question_->again.empty() ? key : key + ".again",
             {{"again", question_->again}, {"said", mark.other_number}});
-    feedback.ask_again = true;
     feedback.replay = true;
     if (!mark.other_number.empty()) {
         show_good_english(mark, feedback);  // no template marks its form
     }
-    return feedback;
+    return conclude(CourseEvent::wrong, std::move(feedback));
 }
 
 Feedback Conversation::move_on() {
-    state_ = State::done;
-    return say(FeedbackKind::moved_on, "feedback.moved_on");
+    return conclude(CourseEvent::give_up, say(FeedbackKind::moved_on, "feedback.moved_on"));
+}
+
+Feedback Conversation::conclude(CourseEvent verdict, Feedback feedback) {
+    feedback.came = happen(verdict);
+    feedback.ask_again = verdict == CourseEvent::unclear || verdict == CourseEvent::wrong;
+    return feedback;
 }
 
 Feedback Conversation::say(FeedbackKind kind, std::string key, const CatalogueSlots& slots) {

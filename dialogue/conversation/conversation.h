@@ -1,10 +1,6 @@
 // Asks, hears, answers: one question at a time.
 //
-//          ask               hear                respond
-//   idle ------> asked ---------------> heard ------------> done       right meaning (whatever the form)
-//                  ^                      |---------------> asked      wrong meaning, not understood, heard badly: asked again
-//                  |                      |---------------> invited    right meaning, and the form may be said once more
-//                  +-- after `tries` ---> done               invited --hear--> heard --> done; heard badly: invited, twice at most
+//   ask -> hear: a mark -> respond to it and the verdict on its meaning: feedback, and how the question stands then (course.h)
 //
 // Feedback on form climbs a ladder (marking/feedback_ladder.h) by how often the same error has been made: by default a
 // recast ("Yes. A watermelon is *the heaviest*."), then a prompt ("A watermelon is …?"), then a rule in one line. A question
@@ -18,6 +14,7 @@
 
 #include "dialogue/catalogue.h"
 #include "dialogue/checking/checker.h"
+#include "dialogue/conversation/course.h"
 #include "dialogue/conversation/help.h"
 #include "dialogue/marking/mark.h"
 #include "dialogue/marking/question.h"
@@ -75,6 +72,7 @@ struct Feedback {
     FeedbackKind kind = FeedbackKind::praise;
     std::string text;               ///< shown and read aloud; *asterisks* around what is emphasised
     std::vector<std::string> keys;  ///< the catalogue's keys it is made of
+    CourseStep came{};              ///< how the question stands after it
     bool ask_again = false;         ///< the question stays open
     bool may_repeat = false;  ///< one more `hear` is welcome; the question is done even without it
     bool replay = false;  ///< let the hand feel the contrast again: a wrong meaning, or that step
@@ -90,8 +88,6 @@ using FormCheck = std::function<CheckedText(std::string_view)>;
 /// One learner's conversation. Keeps a reference to the catalogue: it must live longer.
 class Conversation {
   public:
-    enum class State : std::uint8_t { idle, asked, heard, invited, done };
-
     explicit Conversation(const Catalogue& catalogue, ConversationSettings settings = {});
 
     /// From now on what fits no answer is checked for its form, and good English for it is shown: a sentence where that is proven, else
@@ -100,15 +96,18 @@ class Conversation {
 
     /// Asks; returns the prompt's sentences, a line each. `number` of `of` adds "Question 2 of 5." before them; 0 doesn't.
     std::vector<std::string> ask(const Question& question, int number = 0, int of = 0);
+    /// The same question again; one that was felt again goes on where it was.
+    std::vector<std::string> ask_again();
 
-    /// Marks an answer; pure but for the state. Before any question an empty mark. Without `form` the meaning alone is marked.
+    /// Marks an answer; pure but for the state, which stays where nobody is to speak. Before any question an empty mark. Without `form` the
+    /// meaning alone is marked.
     [[nodiscard]] Mark hear(std::string_view text, double confidence = 1.0, bool form = true);
 
     /// Answers; `meaning_right` is the simulation's verdict and doesn't matter for a mark that isn't understood.
     [[nodiscard]] Feedback respond(const Mark& mark, bool meaning_right);
 
-    /// The prompt again, e.g. for a "say that again" button.
-    [[nodiscard]] std::vector<std::string> prompt_again() const;
+    /// Withdraw, time or close: none of what is asked or said.
+    CourseStep happen(CourseEvent event);
 
     /// Sure enough to be marked.
     [[nodiscard]] bool heard_well(double confidence) const {
@@ -116,7 +115,7 @@ class Conversation {
     }
     /// The words are one of the catalogue's help.said.1, …: who says them wants help.
     [[nodiscard]] bool wants_help(std::string_view said) const;
-    [[nodiscard]] State state() const { return state_; }
+    [[nodiscard]] CourseState state() const { return state_; }
     [[nodiscard]] int attempt() const { return attempt_; }
 
   private:
@@ -148,6 +147,9 @@ class Conversation {
                          Feedback& feedback) const;
     void put_before(Feedback& feedback, const char* key, CatalogueSlots slots) const;
     Feedback move_on();
+    void count_anew();
+    /// What the verdict came to, and what is said to it.
+    Feedback conclude(CourseEvent verdict, Feedback feedback);
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
     [[nodiscard]] std::string ladder_key(const FormError& error) const;
 
@@ -155,8 +157,7 @@ class Conversation {
     ConversationSettings settings_;
     FormCheck form_check_;
     std::optional<Question> question_;
-    State state_ = State::idle;
-    bool repeating_ = false;           ///< the answer heard follows an invitation
+    CourseState state_ = CourseState::idle;
     int attempt_ = 0;                  ///< answers to this question
     int wrong_ = 0;                    ///< of wrong meaning
     int unheard_ = 0;                  ///< not understood

@@ -28,12 +28,6 @@ AnsweredEvent answered_event(const MarkedAnswer& answer) {
     return answered;
 }
 
-// The learner only has to speak again: there is nothing in it for the lesson.
-bool same_words_again(const dialogue::Feedback& feedback) {
-    return feedback.ask_again && (feedback.kind == dialogue::FeedbackKind::not_understood ||
-                                  feedback.kind == dialogue::FeedbackKind::heard_badly);
-}
-
 }  // namespace
 
 QuestionDialogue::QuestionDialogue(Questions questions, const dialogue::Catalogue& catalogue,
@@ -44,20 +38,18 @@ QuestionTurn QuestionDialogue::ask(const std::string& question, double time_s) {
     const auto declared = questions_.find(question);
     assert(declared != questions_.end());
     QuestionTurn turn;
-    if (right_ && question != question_) {
+    const bool is_same = question == question_;
+    if (!is_same && is_invited()) {
         turn.events.push_back(*right_);
     }
-    // The same question, asked again after it was felt again, goes on where it was.
-    const bool goes_on = state_ == QuestionState::set_aside && question == question_;
     const std::vector<std::string> prompt =
-        goes_on ? conversation_.prompt_again() : conversation_.ask(declared->second);
+        is_same ? conversation_.ask_again() : conversation_.ask(declared->second);
     for (const std::string& line : prompt) {
         turn.prompt += (turn.prompt.empty() ? "" : "\n") + line;
     }
-    heard_.reset();
-    right_.reset();
+    forget();
     question_ = question;
-    listen(QuestionState::open, time_s);
+    listen(time_s);
     return turn;
 }
 
@@ -67,8 +59,6 @@ QuestionTurn QuestionDialogue::hear(std::string_view words, double confidence, d
         return {};
     }
     heard_ = conversation_.hear(words, confidence, form);
-    state_ =
-        state_ == QuestionState::invited ? QuestionState::judging_again : QuestionState::judging;
     // What a slot would hold is no word of its list: it can't be right, and the lesson is not asked.
     if (!heard_->understood || !heard_->other_number.empty()) {
         return answer(false, time_s);
@@ -119,54 +109,53 @@ QuestionTurn QuestionDialogue::answer(bool right, double time_s) {
 
     if (answer.feedback.may_repeat) {
         right_ = answered_event(answer);
+    }
+    if (answer.feedback.came.action == dialogue::CourseAction::listen) {
         invited_until_s_ = time_s + kRepeatPatience_s;
-        listen(QuestionState::invited, time_s);
-    } else if (same_words_again(answer.feedback)) {
-        invited_until_s_ = time_s + kRepeatPatience_s;
-        listen(right_ ? QuestionState::invited : QuestionState::open, time_s);
-    } else {
-        turn.events.push_back(right_ ? *right_ : answered_event(answer));
-        if (answer.feedback.ask_again) {
-            state_ = QuestionState::set_aside;
-        } else {
-            close();
-        }
+        listen(time_s);
+        return turn;
+    }
+    turn.events.push_back(right_ ? *right_ : answered_event(answer));
+    if (!answer.feedback.ask_again) {
+        forget();
     }
     return turn;
 }
 
 QuestionTurn QuestionDialogue::step(double time_s) {
     QuestionTurn turn;
-    if (state_ == QuestionState::invited && time_s >= invited_until_s_) {
+    if (listens() && is_invited() && time_s >= invited_until_s_) {
         turn.events.push_back(*right_);
-        close();
+        conversation_.happen(dialogue::CourseEvent::time);
+        forget();
     }
     return turn;
 }
 
 void QuestionDialogue::end_exchange() {
-    if (heard_) {
-        heard_.reset();
-        state_ = right_ ? QuestionState::invited : QuestionState::open;
-    }
+    heard_.reset();
+    conversation_.happen(dialogue::CourseEvent::withdraw);
 }
 
 void QuestionDialogue::close() {
-    state_ = QuestionState::closed;
+    conversation_.happen(dialogue::CourseEvent::close);
+    forget();
+}
+
+void QuestionDialogue::forget() {
     question_.clear();
     heard_.reset();
     right_.reset();
 }
 
-void QuestionDialogue::listen(QuestionState state, double time_s) {
-    state_ = state;
+void QuestionDialogue::listen(double time_s) {
     asked_at_s_ = time_s;
     ++turns_;
 }
 
 void QuestionDialogue::wait_anew(double time_s) {
     if (listens()) {
-        listen(state_, time_s);
+        listen(time_s);
     }
 }
 

@@ -1,27 +1,12 @@
 // The question that a lesson has asked: who may speak next, what the learner is told, what the lesson is told.
 //
-//   state           who is waited for            by              next state                      the lesson is told
-//   closed          nobody
-//   open            the learner                  hear            judging; words that fit nothing: open again,
-//                                                                or closed after many            (when closed) answered
-//   judging         the lesson's verdict         judge   right   closed                          answered, over
-//                                                        right   invited, when the form may be said once more
-//                                                        wrong   set_aside, or closed after many tries        answered
-//                                                        unsure  open: the recogniser heard badly
-//   set_aside       the lesson: feel it again    ask             open; the same question goes on counting
-//   invited         the learner, 12 s at most    hear            judging_again
-//                                                step            closed once the time is over    answered, over
-//   judging_again   the lesson's verdict         judge           closed                          answered, over
-//                                                        unsure  invited anew, twice at most
-//
-//   any             ask            open; words that wait for a verdict are forgotten. An invitation's answer was right:
-//                                  the lesson is told so before another question begins.
-//   any             close          closed; what has not been told by then never is.
-//   judging(_again) end_exchange   open (invited): the verdict did not come with the reply.
-//   closed, set_aside: where the lesson knows things (knowledge.h), the learner may ask; in all other states that is put off and
-//   counts for nothing, known or not, unless the question is answered by asking: then what is asked is a right answer.
-//   A verdict in any other state is late, and dropped. So only the two states that wait for a verdict shut the learner's
-//   mouth, and neither outlives the exchange of one frame with the lesson.
+// Where it stands and what may happen then is the conversation's (dialogue/conversation/course.h); here are the times and the lesson's side:
+//   hear       the lesson is asked for its verdict on each reading of what was understood; words that fit nothing need none
+//   judge      its verdict; in a state that waits for none it is late, and dropped
+//   step       an invitation ends after 12 s, in which the answer was right
+//   end_exchange   the verdict did not come with the reply: what was said is forgotten, and the learner may speak
+//   close      what has not been told by then never is
+// So no state that shuts the learner's mouth outlives the exchange of one frame with the lesson.
 //
 // Thread: lesson loop.  Cost: one match an answer.
 #pragma once
@@ -30,7 +15,6 @@
 #include "dialogue/conversation/conversation.h"
 #include "runtime/scene/lesson_messages.h"
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,15 +23,6 @@
 #include <vector>
 
 namespace fulcrum::runtime {
-
-enum class QuestionState : std::uint8_t {
-    closed,
-    open,
-    judging,
-    set_aside,
-    invited,
-    judging_again
-};
 
 /// An answer with all that is known of it.
 struct MarkedAnswer {
@@ -97,19 +72,13 @@ class QuestionDialogue {
     /// Nothing is asked any more.
     void close();
 
-    [[nodiscard]] QuestionState state() const { return state_; }
-    /// The learner may speak: open or invited.
-    [[nodiscard]] bool listens() const {
-        return state_ == QuestionState::open || state_ == QuestionState::invited;
-    }
+    [[nodiscard]] dialogue::CourseState state() const { return conversation_.state(); }
+    /// The learner may speak.
+    [[nodiscard]] bool listens() const { return dialogue::listens(state()); }
     /// The learner is being asked, or has just answered.
-    [[nodiscard]] bool is_open() const {
-        return state_ != QuestionState::closed && state_ != QuestionState::set_aside;
-    }
+    [[nodiscard]] bool is_open() const { return listens() || dialogue::is_judging(state()); }
     /// The answer was right already.
-    [[nodiscard]] bool is_invited() const {
-        return state_ == QuestionState::invited || state_ == QuestionState::judging_again;
-    }
+    [[nodiscard]] bool is_invited() const { return dialogue::is_invited(state()); }
     /// When the learner was last asked to speak.
     [[nodiscard]] double asked_at_s() const { return asked_at_s_; }
     /// How often the learner has been asked to speak.
@@ -135,16 +104,15 @@ class QuestionDialogue {
 
   private:
     [[nodiscard]] QuestionTurn answer(bool right, double time_s);
-    void listen(QuestionState state, double time_s);
+    void listen(double time_s);
+    void forget();
 
     Questions questions_;
     dialogue::Conversation conversation_;
-    QuestionState state_ = QuestionState::closed;
-    std::string question_;                 // of every state but closed
-    std::optional<dialogue::Mark> heard_;  // in judging and judging_again
+    std::string question_;                 // of every state but idle, left and done
+    std::optional<dialogue::Mark> heard_;  // while a verdict is waited for
     std::vector<bool> verdicts_;           ///< on the readings of what was heard, so far
-    std::optional<AnsweredEvent>
-        right_;  // in invited and judging_again: what the lesson will be told
+    std::optional<AnsweredEvent> right_;   // while it is invited: what the lesson will be told
     double invited_until_s_ = 0.0;
     double asked_at_s_ = 0.0;
     int turns_ = 0;

@@ -118,9 +118,10 @@ std::string errors_of(const Feedback& feedback) {
     return told.empty() ? "no errors" : spaced(told);
 }
 
-std::string told_of(const Mark& mark, const Feedback& feedback, Conversation::State state,
+std::string told_of(const Mark& mark, const Feedback& feedback, CourseState state,
                     const std::string& field) {
-    constexpr std::array kStates{"idle", "asked", "heard", "invited", "done"};
+    constexpr std::array kStates{"idle",    "asked",       "heard", "replaying",
+                                 "invited", "heard_again", "left",  "done"};
     const std::map<std::string, std::string> texts{
         {"kind", std::string(name_of(feedback.kind))},
         {"text", feedback.text},
@@ -147,6 +148,9 @@ std::string respond(TableScene& scene, const std::string& in) {
     const double sure = is_told ? std::stod(asked[i++]) : 1.0;
     const bool formed = !(i < asked.size() && asked[i] == "unformed");
     i += formed ? 0 : 1;
+    if (talk.state() == CourseState::replaying) {
+        talk.ask_again();
+    }
     const Mark mark = talk.hear(in, sure, formed);
     const Feedback feedback = talk.respond(mark, asked.at(0) == "right");
     std::vector<std::string> told;

@@ -43,7 +43,7 @@ Conversation invited() {
     CHECK(answer_once(talk, heaviest(), "an apple is the most heavy").kind == FeedbackKind::recast);
     REQUIRE(answer_once(talk, heaviest(), "an apple is the most heavy").kind ==
             FeedbackKind::prompt);
-    REQUIRE(talk.state() == Conversation::State::invited);
+    REQUIRE(talk.state() == CourseState::invited);
     return talk;
 }
 
@@ -155,12 +155,12 @@ TEST_CASE("conversation: a repeat that is heard badly is asked for again, and is
             CHECK(feedback.text == catalogue_words().say("feedback.heard_badly"));
             CHECK(feedback.uptake == Uptake::none);
             CHECK(feedback.ask_again);
-            CHECK(talk.state() == Conversation::State::invited);
+            CHECK(talk.state() == CourseState::invited);
             const Feedback heard = talk.respond(talk.hear("an apple is the heaviest", 0.9), true);
             CHECK(heard.kind == FeedbackKind::praise);
             CHECK(heard.uptake == Uptake::repaired);
             CHECK(heard.attempt == 2);  // the badly heard one is none
-            CHECK(talk.state() == Conversation::State::done);
+            CHECK(talk.state() == CourseState::done);
         }
     }
 }
@@ -174,18 +174,17 @@ TEST_CASE(
         Conversation talk(catalogue_words(), settings);
         int asked_again = 0;
         for (const auto& [choice, well] : heard) {
-            if (talk.state() == Conversation::State::idle ||
-                talk.state() == Conversation::State::done) {
+            if (!listens(talk.state())) {
                 talk.ask(heaviest());
                 asked_again = 0;
             }
-            const bool was_invited = talk.state() == Conversation::State::invited;
+            const bool was_invited = talk.state() == CourseState::invited;
             const double confidence = settings.least_confidence + (well ? 0.0 : -0.01);
             const Mark mark = talk.hear(said[choice % said.size()], confidence);
             const Feedback feedback = talk.respond(mark, true);
             RC_ASSERT((feedback.kind == FeedbackKind::heard_badly) == !well);
             RC_ASSERT(well || feedback.uptake == Uptake::none);
-            RC_ASSERT(!was_invited || well || talk.state() != Conversation::State::asked);
+            RC_ASSERT(!was_invited || well || talk.state() != CourseState::asked);
             asked_again += was_invited ? 1 : 0;
             RC_ASSERT(asked_again <= 3);
         }

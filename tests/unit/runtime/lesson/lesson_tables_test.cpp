@@ -254,10 +254,10 @@ class Script {
 
 /// What comes of it in this state of a dialogue, and what the lesson is told: "set_aside, wrong".
 std::string turn(const std::string& from, const std::string& what) {
-    constexpr std::array kNames{"closed",    "open",    "judging",
-                                "set_aside", "invited", "judging_again"};
+    constexpr std::array kNames{"idle",    "asked",       "heard", "replaying",
+                                "invited", "heard_again", "left",  "done"};
     const auto state = std::ranges::find(kNames, from) - kNames.begin();
-    QuestionDialogue dialogue = in_state(static_cast<QuestionState>(state));
+    QuestionDialogue dialogue = in_state(static_cast<State>(state));
     const std::vector<AnsweredEvent> answers = told(take(dialogue, what));
     std::string came = kNames.at(static_cast<std::size_t>(dialogue.state()));
     for (const AnsweredEvent& answered : answers) {

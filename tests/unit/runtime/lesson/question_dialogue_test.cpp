@@ -8,9 +8,9 @@
 using namespace fulcrum::runtime::test;
 
 TEST_CASE("question dialogue: whatever state another question interrupts, it can be answered") {
-    for (const State state : kStates) {
-        CAPTURE(static_cast<int>(state));
-        QuestionDialogue dialogue = in_state(state);
+    for (int i = 0; i < static_cast<int>(fulcrum::dialogue::kCourseStates); ++i) {
+        CAPTURE(i);
+        QuestionDialogue dialogue = in_state(static_cast<State>(i));
         CHECK(dialogue.ask("lightest", 1.0).prompt == "Which one is the lightest?");
         (void)dialogue.judge("heaviest", true, 1.0);
         const QuestionTurn heard = dialogue.hear("the egg is the lightest", 1.0, 2.0);
@@ -25,13 +25,13 @@ TEST_CASE("question dialogue: whatever state another question interrupts, it can
 }
 
 TEST_CASE("question dialogue: words heard badly are asked for again and never told as wrong") {
-    QuestionDialogue dialogue = in_state(State::open);
+    QuestionDialogue dialogue = in_state(State::asked);
     (void)dialogue.hear(kWrong, 0.1, 0.0);
     const QuestionTurn turn = dialogue.judge("heaviest", false, 0.0);
     CHECK(turn.events.empty());
     REQUIRE(turn.answer);
     CHECK(turn.answer->feedback.kind == fulcrum::dialogue::FeedbackKind::heard_badly);
-    CHECK(dialogue.state() == State::open);
+    CHECK(dialogue.state() == State::asked);
 }
 
 TEST_CASE("question dialogue: a repeat heard badly is invited anew, and never kept as wrong") {
@@ -67,7 +67,7 @@ TEST_CASE("question dialogue: a repeat heard badly is invited anew, and never ke
     SECTION("said no more") {
         CHECK(told(dialogue.step(kLater_s + kLongEnough_s)).size() == 1);
     }
-    CHECK((dialogue.state() == State::closed));
+    CHECK((dialogue.state() == State::done));
 }
 
 TEST_CASE("question dialogue: in any order an open question hears, and is over at most once") {
@@ -91,7 +91,7 @@ TEST_CASE("question dialogue: in any order an open question hears, and is over a
                 case 0:
                     ++asked[id];
                     count(dialogue.ask(id, time_s));
-                    RC_ASSERT(dialogue.state() == State::open);
+                    RC_ASSERT(dialogue.state() == State::asked);
                     break;
                 case 1:
                     count(dialogue.judge(id, *rc::gen::arbitrary<bool>(), time_s));
@@ -106,7 +106,7 @@ TEST_CASE("question dialogue: in any order an open question hears, and is over a
                 case 4:
                     if (*rc::gen::inRange(0, 4) == 0) {
                         dialogue.close();
-                        RC_ASSERT(dialogue.state() == State::closed);
+                        RC_ASSERT(dialogue.state() == State::idle);
                     }
                     break;
                 default:
@@ -118,10 +118,10 @@ TEST_CASE("question dialogue: in any order an open question hears, and is over a
         }
         // After any history the question that is open can be answered, and time ends an invitation.
         dialogue.end_exchange();
-        if (dialogue.state() == State::open) {
+        if (dialogue.state() == State::asked) {
             bool judged = false;
             for (const char* said : {kRight, "the egg is the lightest"}) {
-                judged |= dialogue.state() == State::judging ||
+                judged |= dialogue.state() == State::heard ||
                           !dialogue.hear(said, 1.0, time_s).events.empty();
             }
             RC_ASSERT(judged);
@@ -129,7 +129,7 @@ TEST_CASE("question dialogue: in any order an open question hears, and is over a
             const QuestionTurn turn = dialogue.step(time_s + kLongEnough_s);
             RC_ASSERT(told(turn).size() == 1U);
             RC_ASSERT(told(turn)[0].right);
-            RC_ASSERT(dialogue.state() == State::closed);
+            RC_ASSERT(dialogue.state() == State::done);
         }
     });
     CHECK(holds);
@@ -149,7 +149,7 @@ TEST_CASE("question dialogue: where asking is the answer, what is asked elsewher
     const QuestionTurn turn = dialogue.take_question(asked, 1.0);
     REQUIRE(turn.answer);
     CHECK(turn.answer->right);
-    CHECK(dialogue.state() == QuestionState::closed);
+    CHECK(dialogue.state() == State::done);
     REQUIRE(turn.events.size() == 1);
     CHECK(std::get<AnsweredEvent>(turn.events[0]).over);
     // Others are not answered so.
@@ -172,5 +172,5 @@ TEST_CASE("question dialogue: words that fit no answer are checked where a lesso
     REQUIRE(turn.answer);
     CHECK(turn.answer->feedback.free_errors.size() == 1);
     CHECK_FALSE(turn.answer->mark.understood);
-    CHECK(dialogue.state() == State::open);
+    CHECK(dialogue.state() == State::asked);
 }

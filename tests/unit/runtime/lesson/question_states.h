@@ -18,7 +18,9 @@ inline QuestionDialogue make_dialogue() {
 }
 
 // Brings a dialogue about "heaviest" into each state, at time 0.
-inline QuestionDialogue in_state(QuestionState state) {
+using State = dialogue::CourseState;
+
+inline QuestionDialogue in_state(State state) {
     QuestionDialogue dialogue = make_dialogue();
     const auto answer = [&](const char* said, bool right) {
         (void)dialogue.ask("heaviest", 0.0);
@@ -26,34 +28,39 @@ inline QuestionDialogue in_state(QuestionState state) {
         (void)dialogue.judge("heaviest", right, 0.0);
     };
     switch (state) {
-        case QuestionState::closed:
+        case State::idle:
             break;
-        case QuestionState::open:
+        case State::asked:
             (void)dialogue.ask("heaviest", 0.0);
             break;
-        case QuestionState::judging:
+        case State::heard:
             (void)dialogue.ask("heaviest", 0.0);
             (void)dialogue.hear(kRight, 1.0, 0.0);
             break;
-        case QuestionState::set_aside:
+        case State::replaying:
             answer(kWrong, false);
             break;
-        case QuestionState::invited:
-        case QuestionState::judging_again:
+        case State::invited:
+        case State::heard_again:
             answer(kSlip, true);
             answer(kSlip, true);
-            if (state == QuestionState::judging_again) {
+            if (state == State::heard_again) {
                 (void)dialogue.hear(kRight, 1.0, 0.0);
             }
+            break;
+        case State::left:
+            (void)dialogue.ask("heaviest", 0.0);
+            for (int i = 0; i < dialogue::ConversationSettings{}.unheard_tries; ++i) {
+                (void)dialogue.hear(kNonsense, 1.0, 0.0);
+            }
+            break;
+        case State::done:
+            answer(kRight, true);
             break;
     }
     REQUIRE(dialogue.state() == state);
     return dialogue;
 }
-
-using State = QuestionState;
-inline constexpr State kStates[] = {State::closed,    State::open,    State::judging,
-                                    State::set_aside, State::invited, State::judging_again};
 
 inline std::vector<AnsweredEvent> told(const QuestionTurn& turn) {
     std::vector<AnsweredEvent> answers;
