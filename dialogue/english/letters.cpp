@@ -57,6 +57,13 @@ std::string sentences_case(std::string_view text) {
     return result;
 }
 
+std::string as_sentences(std::string_view text) {
+    const std::string sentences = sentences_case(text);
+    const bool has_end =
+        !sentences.empty() && std::string_view(".?!").find(sentences.back()) != std::string::npos;
+    return sentences + (has_end ? "" : ".");
+}
+
 int edit_distance(std::string_view a, std::string_view b) {
     if (a.size() > kLongestWord || b.size() > kLongestWord) {
         return static_cast<int>(kLongestWord) + 1;

@@ -24,6 +24,8 @@ namespace fulcrum::dialogue {
 
 /// The same of every sentence of `text`, also inside *asterisks*; and "i" alone is "I".
 [[nodiscard]] std::string sentences_case(std::string_view text);
+/// The same, with a stop at its end where it has none.
+[[nodiscard]] std::string as_sentences(std::string_view text);
 
 /// Smallest number of letters inserted, deleted, replaced or swapped with their neighbour that turns `a` into `b`.
 /// Words longer than 32 bytes are at distance 33.

@@ -169,7 +169,7 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
                              turn.answer->feedback.kind == dialogue::FeedbackKind::not_understood &&
                              begins_as_question(words);
         if (unknown) {
-            turn.answer->feedback.text = knowledge_->unknown();
+            turn.answer->told = knowledge_->unknown();
         }
         take(std::move(turn));
     }
@@ -210,7 +210,7 @@ bool LessonSession::ask_for(const std::string& words, const dialogue::Hypothesis
 void LessonSession::take_question(AskedFor asked, double confidence) {
     asked.mark.confidence = confidence;
     QuestionTurn turn = dialogue_.take_question(asked.mark, time_s_);
-    asked.praise = turn.answer ? turn.answer->feedback.text : std::string();
+    asked.praise = turn.answer ? talk_.own(*turn.answer).text : std::string();
     queued_.push_back(AskedEvent{asked.knowledge, asked.mark.slots});
     asked_for_ = std::move(asked);
     take(std::move(turn));
@@ -219,8 +219,13 @@ void LessonSession::take_question(AskedFor asked, double confidence) {
 // To somebody who asked. A question that is open goes on waiting for its answer.
 void LessonSession::tell(const std::string& said, const std::string& answer) {
     dialogue_.wait_anew(time_s_);
-    speech_.reply(answer);
-    transcript_.tell(time_s_, said, answer);
+    transcript_.hear_asking(time_s_, said);
+    dialogue::Turn turn;
+    turn.level = description_.level;
+    turn.mark.said = said;
+    turn.told = answer;
+    talk_.take(turn);
+    say_back();
     show();
 }
 

@@ -92,21 +92,13 @@ QuestionTurn QuestionDialogue::judge(const std::string& question, bool right, do
     return answer(dialogue::settle(*heard_, verdicts_), time_s);
 }
 
-// The verdict is there: something that helps is said, and the state follows from what was said.
+// The verdict is there: how the question stands follows from it, and what the lesson is told.
 QuestionTurn QuestionDialogue::answer(bool right, double time_s) {
     QuestionTurn turn;
-    MarkedAnswer& answer = turn.answer.emplace();
-    answer.question = question_;
-    answer.mark = std::move(*heard_);
-    answer.right = right;
-    answer.answer_s = std::max(0.0, time_s - asked_at_s_);
+    MarkedAnswer& answer =
+        turn.answer.emplace(MarkedAnswer{conversation_.respond(std::move(*heard_), right),
+                                         question_, std::max(0.0, time_s - asked_at_s_)});
     heard_.reset();
-    answer.feedback = conversation_.respond(answer.mark, right);
-    if (right && answer.mark.claim == dialogue::Claim::excluded) {
-        answer.mark.understood = answer.right =
-            false;  // true, but as good as not said: neither right nor wrong
-    }
-
     if (answer.feedback.may_repeat) {
         right_ = answered_event(answer);
     }

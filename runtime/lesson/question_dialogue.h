@@ -25,11 +25,8 @@
 namespace fulcrum::runtime {
 
 /// An answer with all that is known of it.
-struct MarkedAnswer {
+struct MarkedAnswer : dialogue::Turn {
     std::string question;
-    dialogue::Mark mark;
-    dialogue::Feedback feedback;
-    bool right = false;     ///< the meaning, by the lesson's verdict
     double answer_s = 0.0;  ///< from the question to the answer, not negative
 };
 

@@ -18,6 +18,7 @@ constexpr const char* kSureness = "sureness";  // the session's setting
 dialogue::ConversationSettings settings_of(const LessonDescription& lesson, const Plan& plan) {
     dialogue::ConversationSettings settings;
     settings.tries = lesson.tries;
+    settings.level = lesson.level;
     settings.least_confidence = plan.hearing.sureness.value_or(lesson.sureness);
     return settings;
 }
@@ -35,6 +36,7 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
       told_about_(description_.bodies.size(), false),
       log_(std::move(log)),
       speech_(Speech::build(plan)),
+      talk_(Talk::build(plan, catalogue)),
       hinges_(description_),
       kite_(description_) {
     // Until the lesson says otherwise every declared force is on, where it was declared.
@@ -123,6 +125,7 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
 
     log_.look_for_trouble();
     speech_.step(input.dt_s);
+    say_back();
     take(dialogue_.step(time_s_));
     queue_world_events(input.world_events);
     queue_touch_events(input);
@@ -188,12 +191,14 @@ std::string LessonSession::catch_sound(std::int32_t body) const {
 void LessonSession::take(QuestionTurn turn) {
     std::move(turn.events.begin(), turn.events.end(), std::back_inserter(queued_));
     if (turn.answer) {
-        const MarkedAnswer& answer = *turn.answer;
+        transcript_.hear(time_s_, *turn.answer);
         // Praise for a question is said together with its answer.
         if (!asked_for_) {
-            speech_.reply(answer.feedback.text);
+            talk_.take(*turn.answer);
+        } else if (talk_.is_own()) {
+            transcript_.reply(time_s_, {asked_for_->praise, {}}, false);
         }
-        transcript_.answer(time_s_, answer);
+        say_back();
     }
     // What was not heard well is no attempt.
     if (turn.answer && turn.answer->feedback.kind != dialogue::FeedbackKind::heard_badly) {
@@ -205,6 +210,16 @@ void LessonSession::take(QuestionTurn turn) {
         log_.keep_attempt(answer);
     }
     show();
+}
+
+// The partner's words, as they come.
+void LessonSession::say_back() {
+    while (const auto said = talk_.poll(time_s_)) {
+        if (!said->reply.text.empty()) {
+            speech_.reply(said->reply.text);
+        }
+        transcript_.reply(time_s_, said->reply, said->was_asked);
+    }
 }
 
 void LessonSession::show() {

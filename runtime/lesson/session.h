@@ -3,7 +3,7 @@
 //
 //   what happened --begin_frame--> LessonFrame --lesson's process--> LessonReply --finish_frame--> what to do
 //
-// The question of now is question_dialogue.h's, who hears and says it speech.h's, what is kept session_log.h's, what is
+// The question of now is question_dialogue.h's, who hears and says it speech.h's, who chooses the words talk.h's, what is kept session_log.h's, what is
 // told of it transcript.h's; the commands one by one stand in carry_out.cpp.
 //
 // Thread: lesson loop. Cost: microseconds, and what the store takes for an answer.
@@ -18,6 +18,7 @@
 #include "runtime/lesson/session_log.h"
 #include "runtime/lesson/session_messages.h"
 #include "runtime/lesson/speech.h"
+#include "runtime/lesson/talk.h"
 #include "runtime/lesson/transcript.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/description.h"
@@ -88,6 +89,7 @@ class LessonSession {
     [[nodiscard]] Expected<void> keep_listening();
     [[nodiscard]] Expected<void> keep_listening_for_asking();
     void take(QuestionTurn turn);
+    void say_back();
     void show();
 
     // One for each command a lesson can send; an error when it names something that isn't there.
@@ -119,6 +121,7 @@ class LessonSession {
     SessionLog log_;
     bool ended_ = false;  // its end is kept
     Speech speech_;
+    Talk talk_;
     Transcript transcript_;
     int turn_ = 0;  // of the dialogue's, the one that is listened for
 

@@ -21,14 +21,18 @@ void Transcript::ask(double time_s, std::string_view prompt) {
     add(time_s, "asks", prompt);
 }
 
-void Transcript::answer(double time_s, const MarkedAnswer& answer) {
+void Transcript::hear(double time_s, const MarkedAnswer& answer) {
     add(time_s, "learner", answer.mark.said + " (" + verdict_text(answer) + ")");
-    add(time_s, "answers", answer.feedback.text);
 }
 
-void Transcript::tell(double time_s, std::string_view asked, std::string_view told) {
+void Transcript::hear_asking(double time_s, std::string_view asked) {
     add(time_s, "learner", std::string(asked) + " (asks)");
-    add(time_s, "tells", told);
+}
+
+void Transcript::reply(double time_s, const dialogue::Reply& reply, bool was_asked) {
+    if (!reply.text.empty()) {
+        add(time_s, reply.is_partners ? "partner" : was_asked ? "tells" : "answers", reply.text);
+    }
 }
 
 void Transcript::explain(double time_s, std::string_view text) {

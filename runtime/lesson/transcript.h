@@ -9,6 +9,7 @@
 // Thread: lesson loop.  Cost: a line of text for each thing said.
 #pragma once
 
+#include "dialogue/partner/partner.h"
 #include "runtime/lesson/question_dialogue.h"
 
 #include <string>
@@ -22,9 +23,10 @@ class Transcript {
     void begin_level(double time_s, int level, std::string_view title);
     void show(double time_s, std::string_view caption);  ///< an empty caption says nothing
     void ask(double time_s, std::string_view prompt);
-    void answer(double time_s, const MarkedAnswer& answer);  ///< the learner's words and the reply
-    void tell(double time_s, std::string_view asked,
-              std::string_view told);  ///< what the learner asked, and was told
+    void hear(double time_s, const MarkedAnswer& answer);     ///< the learner's words
+    void hear_asking(double time_s, std::string_view asked);  ///< what the learner asked
+    /// What is said to either; nothing where nothing is.
+    void reply(double time_s, const dialogue::Reply& reply, bool was_asked);
     void explain(double time_s, std::string_view text);
     /// The lines since the last call.
     [[nodiscard]] std::vector<std::string> take();

@@ -2,9 +2,11 @@
 #include "dialogue/conversation/help.h"
 #include "dialogue/conversation/recast.h"
 #include "dialogue/marking/mark_answer.h"
+#include "dialogue/partner/own_words.h"
 #include "tests/support/english_words.h"
 #include "tests/unit/dialogue/rig.h"
 #include "tests/unit/dialogue/table.h"
+#include "tests/unit/dialogue/talk.h"
 
 using namespace fulcrum::dialogue;
 
@@ -77,10 +79,10 @@ FormCheck form_check(const std::string& name) {
 }
 
 /// The conversation of the law, which begins one, as "@talk ladder prompt,rule; tries 3; unheard 4; checked have" says.
-Conversation& conversation_of(const TableScene& scene) {
+Talk& conversation_of(const TableScene& scene) {
     static const Catalogue words = english_words();
     static std::string begun_for;
-    static std::unique_ptr<Conversation> talk;
+    static std::unique_ptr<Talk> talk;
     if (talk && begun_for == scene.law + scene.talk) {
         return *talk;
     }
@@ -102,7 +104,7 @@ Conversation& conversation_of(const TableScene& scene) {
             check = form_check(value);
         }
     }
-    talk = std::make_unique<Conversation>(words, settings);
+    talk = std::make_unique<Talk>(words, settings);
     if (scene.talk.find("checked") != std::string::npos) {
         talk->set_form_check(form_check("have"));  // the next one takes its place
     }
@@ -110,7 +112,7 @@ Conversation& conversation_of(const TableScene& scene) {
     return *talk;
 }
 
-std::string errors_of(const Feedback& feedback) {
+std::string errors_of(const Said& feedback) {
     std::vector<std::string> told;
     for (const FreeError& error : feedback.free_errors) {
         told.push_back(std::string(errant_code(error.code)) + " at " + std::to_string(error.begin));
@@ -118,7 +120,7 @@ std::string errors_of(const Feedback& feedback) {
     return told.empty() ? "no errors" : spaced(told);
 }
 
-std::string told_of(const Mark& mark, const Feedback& feedback, CourseState state,
+std::string told_of(const Mark& mark, const Said& feedback, CourseState state,
                     const std::string& field) {
     constexpr std::array kStates{"idle",    "asked",       "heard", "replaying",
                                  "invited", "heard_again", "left",  "done"};
@@ -141,7 +143,7 @@ std::string told_of(const Mark& mark, const Feedback& feedback, CourseState stat
 /// What is said to an answer; "wrong" or "right" is its meaning, behind it stand how sure it was heard, "unformed" where its form
 /// was not, and what is told of the feedback.
 std::string respond(TableScene& scene, const std::string& in) {
-    Conversation& talk = conversation_of(scene);
+    Talk& talk = conversation_of(scene);
     const std::vector<std::string> asked = listed(scene.with, " ");
     std::size_t i = 1;
     const bool is_told = i < asked.size() && asked[i].front() == '0';
@@ -152,7 +154,7 @@ std::string respond(TableScene& scene, const std::string& in) {
         talk.ask_again();
     }
     const Mark mark = talk.hear(in, sure, formed);
-    const Feedback feedback = talk.respond(mark, asked.at(0) == "right");
+    const Said feedback = talk.respond(mark, asked.at(0) == "right");
     std::vector<std::string> told;
     for (; i < asked.size(); ++i) {
         told.push_back(told_of(mark, feedback, talk.state(), asked[i]));

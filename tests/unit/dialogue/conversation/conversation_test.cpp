@@ -4,6 +4,7 @@
 #include "tests/support/english_words.h"
 #include "tests/unit/dialogue/questions.h"
 #include "tests/unit/dialogue/rig.h"
+#include "tests/unit/dialogue/talk.h"
 
 #include <rapidcheck.h>
 
@@ -17,8 +18,7 @@ const Catalogue& words() {
 }
 
 /// Asks once and answers once.
-Feedback answer(Conversation& talk, const Question& question, std::string_view said,
-                bool right = true) {
+Said answer(Talk& talk, const Question& question, std::string_view said, bool right = true) {
     talk.ask(question);
     return talk.respond(talk.hear(said), right);
 }
@@ -26,7 +26,7 @@ Feedback answer(Conversation& talk, const Question& question, std::string_view s
 }  // namespace
 
 TEST_CASE("conversation: asks in lines") {
-    Conversation talk(words());
+    Talk talk(words());
     const Question question =
         compiled({"q", "You felt four things. Which one is the heaviest?", {"it"}, {}});
     CHECK(talk.ask(question) ==
@@ -40,7 +40,7 @@ TEST_CASE("conversation: asks in lines") {
 }
 
 TEST_CASE("conversation: after a wrong meaning a question says what comes next, and only it") {
-    Conversation talk(words());
+    Talk talk(words());
     const Question thicker = compiled({"thicker",
                                        "Which one is thicker, the air or the honey?",
                                        {"the {thing} is <comparative:thick>"},
@@ -48,15 +48,15 @@ TEST_CASE("conversation: after a wrong meaning a question says what comes next, 
     CHECK(answer(talk, thicker, "the air is thicker", false).text == "Not yet. Try again.");
     Question weighed = heavier();
     weighed.again = "Let's weigh both again.";
-    const Feedback feedback = answer(talk, weighed, "an egg is heavier", false);
+    const Said feedback = answer(talk, weighed, "an egg is heavier", false);
     CHECK(feedback.text == "Not yet. Let's weigh both again.");
     CHECK(feedback.keys == std::vector<std::string>{"feedback.wrong_meaning.again"});
 }
 
 TEST_CASE(
     "conversation: a number off the list is a wrong answer, not one that was not understood") {
-    Conversation talk(words());
-    const Feedback other = answer(talk, moons(), "Mars has fifteen moons", true);
+    Talk talk(words());
+    const Said other = answer(talk, moons(), "Mars has fifteen moons", true);
     CHECK(other.kind == FeedbackKind::wrong_meaning);
     CHECK(other.text == "It is not fifteen. Try again.");
     CHECK(other.ask_again);
@@ -74,7 +74,7 @@ TEST_CASE(
 }
 
 TEST_CASE("conversation: out of turn nothing happens") {
-    Conversation talk(words());
+    Talk talk(words());
     const Mark mark = talk.hear("watermelon");
     CHECK_FALSE(mark.understood);
     CHECK(talk.respond(mark, true).text.empty());
@@ -89,19 +89,19 @@ TEST_CASE("conversation: any answers in any order keep it going and deterministi
         "watermelon", "watermelon is most heavy", "a watermelon is the heaviest", "what",
         "",           "a apple is heaviest",      "watermelons is the heaviest"};
     CHECK(rc::check([&](const std::vector<unsigned>& choices) {
-        Conversation first(words());
-        Conversation second(words());
+        Talk first(words());
+        Talk second(words());
         const Question question = heaviest();
         for (const unsigned choice : choices) {
             std::string texts[2];
-            for (Conversation* talk : {&first, &second}) {
+            for (Talk* talk : {&first, &second}) {
                 if (talk->state() == CourseState::replaying) {
                     talk->ask_again();
                 } else if (!listens(talk->state())) {
                     talk->ask(question);
                 }
                 const Mark mark = talk->hear(said[choice % said.size()]);
-                const Feedback feedback = talk->respond(mark, choice % 3 != 0);
+                const Said feedback = talk->respond(mark, choice % 3 != 0);
                 RC_ASSERT(!feedback.text.empty());
                 RC_ASSERT(feedback.text.find('[') == std::string::npos);
                 RC_ASSERT(feedback.ask_again == (talk->state() == CourseState::asked ||
@@ -116,9 +116,9 @@ TEST_CASE("conversation: any answers in any order keep it going and deterministi
 TEST_CASE("conversation: the ladder can be set, and a question has its own") {
     ConversationSettings settings;
     settings.ladder = {FeedbackStep::prompt, FeedbackStep::rule};
-    Conversation talk(words(), settings);
+    Talk talk(words(), settings);
     CHECK(answer(talk, heaviest(), "watermelon is heaviest").kind == FeedbackKind::prompt);
-    const Feedback rule = answer(talk, heaviest(), "watermelon is heaviest");
+    const Said rule = answer(talk, heaviest(), "watermelon is heaviest");
     CHECK(rule.kind == FeedbackKind::rule);
     CHECK_THAT(rule.text, Catch::Contains("There is only one, so we say the: *the heaviest*."));
     // Who stands on the last step stays there.
@@ -131,7 +131,7 @@ TEST_CASE("conversation: the ladder can be set, and a question has its own") {
     // Sightings are counted over all questions, whatever their ladders.
     CHECK(answer(talk, heaviest(), "watermelon is heaviest").kind == FeedbackKind::rule);
     settings.ladder.clear();
-    Conversation usual(words(), settings);
+    Talk usual(words(), settings);
     for (const FeedbackKind kind :
          {FeedbackKind::recast, FeedbackKind::prompt, FeedbackKind::rule, FeedbackKind::rule}) {
         CHECK(answer(usual, heaviest(), "watermelon is heaviest").kind == kind);

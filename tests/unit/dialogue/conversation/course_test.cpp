@@ -4,6 +4,7 @@
 #include "tests/support/english_words.h"
 #include "tests/unit/dialogue/questions.h"
 #include "tests/unit/dialogue/rig.h"
+#include "tests/unit/dialogue/talk.h"
 
 #include <rapidcheck.h>
 
@@ -89,7 +90,7 @@ TEST_CASE("course: whatever is answered, a question ends, and never for its form
     CHECK(rc::check([&](const std::vector<std::pair<unsigned, bool>>& chosen) {
         const std::vector<std::string_view> said = {"an apple is the most heavy", "what?",
                                                     "an apple is the heaviest", "the apple", ""};
-        Conversation talk(words, settings);
+        Talk talk(words, settings);
         talk.ask(heaviest());
         int answers = 0;
         bool was_right = false;
@@ -103,7 +104,7 @@ TEST_CASE("course: whatever is answered, a question ends, and never for its form
             }
             const Mark mark = talk.hear(said[choice % said.size()]);
             was_right = was_right || (mark.understood && right);
-            const Feedback feedback = talk.respond(mark, right);
+            const Said feedback = talk.respond(mark, right);
             RC_ASSERT(feedback.came.next == talk.state());
             RC_ASSERT(++answers <= most);
             RC_ASSERT(!was_right || is_invited(talk.state()) || talk.state() == CourseState::done);

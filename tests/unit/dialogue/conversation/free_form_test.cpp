@@ -2,6 +2,7 @@
 #include "tests/support/english_words.h"
 #include "tests/unit/dialogue/questions.h"
 #include "tests/unit/dialogue/rig.h"
+#include "tests/unit/dialogue/talk.h"
 
 #include <rapidcheck.h>
 
@@ -15,7 +16,7 @@ const Catalogue& catalogue_words() {
 }
 
 /// Asks once and answers once, rightly in meaning.
-Feedback answer_once(Conversation& talk, const Question& question, std::string_view said) {
+Said answer_once(Talk& talk, const Question& question, std::string_view said) {
     talk.ask(question);
     return talk.respond(talk.hear(said), true);
 }
@@ -38,8 +39,8 @@ Question where_it_went() {
 }
 
 /// At an invitation to say it once more: "an apple is the most heavy", said twice.
-Conversation invited() {
-    Conversation talk(catalogue_words());
+Talk invited() {
+    Talk talk(catalogue_words());
     CHECK(answer_once(talk, heaviest(), "an apple is the most heavy").kind == FeedbackKind::recast);
     REQUIRE(answer_once(talk, heaviest(), "an apple is the most heavy").kind ==
             FeedbackKind::prompt);
@@ -73,14 +74,14 @@ TEST_CASE(
          "feedback.free_words"},
     };
     for (const auto& row : rows) {
-        Conversation talk(catalogue_words());
+        Talk talk(catalogue_words());
         talk.set_form_check([&](std::string_view) {
             CheckedText checked;
             checked.errors = {row.error};
             checked.corrected = checked.marked = "It are has ring";
             return checked;
         });
-        const Feedback feedback = answer_once(talk, heaviest(), "it have own ring");
+        const Said feedback = answer_once(talk, heaviest(), "it have own ring");
         CHECK(feedback.text ==
               row.text + std::string("I did not understand. Please say it again."));
         CHECK(feedback.keys.back() == row.key);
@@ -90,7 +91,7 @@ TEST_CASE(
 
 TEST_CASE(
     "conversation: where the good English for it is an answer, that was meant, with an error") {
-    Conversation talk(catalogue_words());
+    Talk talk(catalogue_words());
     talk.set_form_check(check_goed);
     const Question question = where_it_went();
     talk.ask(question);
@@ -109,7 +110,7 @@ TEST_CASE(
 
 TEST_CASE(
     "conversation: where the meaning alone was heard nothing is said of form, nor learnt of it") {
-    Conversation talk(catalogue_words());
+    Talk talk(catalogue_words());
     for (const char* said : {"watermelon is most heavy", "a watermelon is the heaviest"}) {
         for (int i = 0; i < 4; ++i) {
             talk.ask(heaviest());
@@ -120,7 +121,7 @@ TEST_CASE(
             CHECK_FALSE(mark.form_known);
             CHECK_FALSE(mark.form_right());  // not known is not right
             CHECK_FALSE(mark.target_right());
-            const Feedback feedback = talk.respond(mark, true);
+            const Said feedback = talk.respond(mark, true);
             CHECK(feedback.kind == FeedbackKind::praise);
             CHECK(feedback.text == "Yes! A watermelon is the heaviest.");
             CHECK(feedback.uptake == Uptake::none);
@@ -134,7 +135,7 @@ TEST_CASE(
 }
 
 TEST_CASE("conversation: typed or heard word for word the form is known, right or not") {
-    Conversation talk(catalogue_words());
+    Talk talk(catalogue_words());
     talk.ask(heaviest());
     CHECK(talk.hear("a watermelon is the heaviest").form_right());
     const Mark wrong = talk.hear("watermelon is most heavy", 0.9);
@@ -149,14 +150,14 @@ TEST_CASE("conversation: a repeat that is heard badly is asked for again, and is
     for (const char* said : {"an apple is the most heavy", "an apple is the heaviest", "what?"}) {
         for (const bool right : {true, false}) {
             CAPTURE(said, right);
-            Conversation talk = invited();
-            const Feedback feedback = talk.respond(talk.hear(said, kBadly), right);
+            Talk talk = invited();
+            const Said feedback = talk.respond(talk.hear(said, kBadly), right);
             CHECK(feedback.kind == FeedbackKind::heard_badly);
             CHECK(feedback.text == catalogue_words().say("feedback.heard_badly"));
             CHECK(feedback.uptake == Uptake::none);
             CHECK(feedback.ask_again);
             CHECK(talk.state() == CourseState::invited);
-            const Feedback heard = talk.respond(talk.hear("an apple is the heaviest", 0.9), true);
+            const Said heard = talk.respond(talk.hear("an apple is the heaviest", 0.9), true);
             CHECK(heard.kind == FeedbackKind::praise);
             CHECK(heard.uptake == Uptake::repaired);
             CHECK(heard.attempt == 2);  // the badly heard one is none
@@ -171,7 +172,7 @@ TEST_CASE(
         const std::vector<std::string_view> said = {"an apple is the most heavy", "what?",
                                                     "an apple is the heaviest", "the apple"};
         ConversationSettings settings;
-        Conversation talk(catalogue_words(), settings);
+        Talk talk(catalogue_words(), settings);
         int asked_again = 0;
         for (const auto& [choice, well] : heard) {
             if (!listens(talk.state())) {
@@ -181,7 +182,7 @@ TEST_CASE(
             const bool was_invited = talk.state() == CourseState::invited;
             const double confidence = settings.least_confidence + (well ? 0.0 : -0.01);
             const Mark mark = talk.hear(said[choice % said.size()], confidence);
-            const Feedback feedback = talk.respond(mark, true);
+            const Said feedback = talk.respond(mark, true);
             RC_ASSERT((feedback.kind == FeedbackKind::heard_badly) == !well);
             RC_ASSERT(well || feedback.uptake == Uptake::none);
             RC_ASSERT(!was_invited || well || talk.state() != CourseState::asked);
