@@ -113,6 +113,9 @@ void add_options(const FactSources& run, Facts& facts) {
     facts.add(kFeedbackFact,
               feedback_text(run.request.feedback.value_or(run.request.kept_feedback)));
     facts.add("option.hearing", std::string(name_of(run.plan.speech)));
+    if (run.plan.partner.kind != PartnerKind::shipped) {
+        facts.add(kPartnerFact, std::string(name_of(run.plan.partner.kind)));
+    }
 }
 
 void add_limits(const FactSources& run, Facts& facts) {

@@ -218,6 +218,9 @@ void RunRecorder::keep_output(double time_s, const SessionOutput& output,
     for (const std::string& line : output.said) {
         keep(time_s, RecordEventKind::said, kNoBody, line);
     }
+    for (const std::string& note : output.notes) {
+        keep(time_s, RecordEventKind::note, kNoBody, note);
+    }
     if (result.finished && !finished_) {
         finished_ = true;
         keep(time_s, RecordEventKind::finished, kNoBody,

@@ -5,6 +5,7 @@
 #include "runtime/app/interrupt.h"
 #include "runtime/app/speech/speech_parts.h"
 #include "runtime/lesson/simulated_pupil.h"
+#include "runtime/lesson/talk.h"
 #include "runtime/progress/store.h"
 
 #include <algorithm>
@@ -183,6 +184,22 @@ void read_number(const RecordHeader& header, const std::string& name, Number& va
     }
 }
 
+// Who talked back in it, as it was then: what a program said stands in its notes.
+void repeat_partner(const Record& record, PartnerOrder& partner) {
+    const auto name = find_fact(record.header, kPartnerFact);
+    if (!name || partner.is_given) {
+        return;
+    }
+    partner.kind = *name == name_of(PartnerKind::none) ? PartnerKind::none : PartnerKind::recorded;
+    for (const RecordEvent& event : record.events) {
+        if (auto words = event.kind == RecordEventKind::note ? read_partner_note(event.text)
+                                                             : std::nullopt) {
+            words->time_s = event.time_s;
+            partner.recorded.push_back(std::move(*words));
+        }
+    }
+}
+
 // Those that the record's walls were made for: of the first hand, and of others where it tells theirs.
 WallHolders read_holders(const RecordHeader& header) {
     WallHolders holders;
@@ -231,6 +248,7 @@ Expected<RunRequest> with_record(RunRequest request) {
             request.kept_feedback =
                 dialogue::read_ladder_text(*text).value_or(dialogue::FeedbackLadder{});
         }
+        repeat_partner(record, request.plan.partner);
         request.plan.holders = read_holders(record.header);
         // Who is not told otherwise repeats all hands.
         for (std::size_t i = request.more_hands.size(); i < record.more_hands.size(); ++i) {

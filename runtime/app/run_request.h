@@ -55,6 +55,8 @@ struct RunRequest : HandChoice {
 inline constexpr const char* kScaleFact = "option.scale";
 /// A record's fact: the ladder of feedback, or that it was the lesson's.
 inline constexpr const char* kFeedbackFact = "option.feedback";
+/// A record's fact: who talked back to the learner, where that was another than the shipped partner.
+inline constexpr const char* kPartnerFact = "option.dialogue";
 /// A record's facts: the device for which walls were made stable.
 inline constexpr const char* kHolderFact = "option.walls for";
 inline constexpr const char* kHolderMassFact = "option.walls kg";
@@ -64,7 +66,7 @@ inline constexpr const char* kHolderLinkFact = "option.walls link s";
 /// What stands before such a fact of a hand's device, counted from 0; of the first one nothing does.
 [[nodiscard]] std::string holder_prefix(std::size_t hand);
 /// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day, the hand's scale,
-/// the ladder of feedback, and for which device walls were made stable.
+/// the ladder of feedback, what another partner said to the learner, and for which device walls were made stable.
 /// Other requests stay as they are.
 [[nodiscard]] Expected<RunRequest> with_record(RunRequest request);
 

@@ -293,7 +293,11 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     for (std::string& trouble : speech_.take_troubles()) {
         output.printed.push_back(std::move(trouble));
     }
+    for (std::string& trouble : talk_.take_troubles()) {
+        output.printed.push_back(std::move(trouble));
+    }
     output.said = transcript_.take();
+    output.notes = talk_.take_notes();
     output.sounds = std::move(sounds_);
     sounds_.clear();
     if (reply.has_hand_target) {

@@ -38,6 +38,7 @@ struct SessionOutput : EffectOrders {
     std::vector<std::string> printed;
     std::vector<std::string> spoken;  ///< what is to be said aloud
     std::vector<std::string> said;    ///< what was shown, asked and answered, see transcript.h
+    std::vector<std::string> notes;   ///< for the record, see talk.h
 };
 
 /// What a learner sees of the lesson, apart from the bodies.

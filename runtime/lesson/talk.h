@@ -1,6 +1,6 @@
 // What is said to the learner's turns in one play, and by whom: the plan's partner, with the program's own words beside it.
 //
-//   a turn --take--> own words --> partner --poll--> what is said, in the order of the turns
+//   a turn --take--> own words --> partner --poll--> what is said, in the order of the turns     another partner's words --> a note for the record
 //
 // Another partner is another implementation of dialogue/partner/partner.h, chosen in `build`.
 //
@@ -14,6 +14,10 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -34,6 +38,10 @@ class Talk {
     void take(const dialogue::Turn& turn);
     /// The next that there is at this time of the run.
     [[nodiscard]] std::optional<Said> poll(double time_s);
+    /// What another partner said since the last call, for the record.
+    [[nodiscard]] std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+    /// What somebody should know of the partner, a sentence each, once.
+    [[nodiscard]] std::vector<std::string> take_troubles();
 
   private:
     explicit Talk(const dialogue::Catalogue& catalogue) : own_(catalogue) {}
@@ -42,6 +50,14 @@ class Talk {
     std::unique_ptr<dialogue::Partner> partner_;
     bool is_own_ = true;
     std::deque<bool> were_asked_;  // turns that were not answered yet
+    int said_ = 0;                 // to how many something was
+    std::vector<std::string> notes_;
+    std::vector<std::string> troubles_;
 };
+
+/// What another partner said to a turn, as it stands in a record, and back: "partner 3: Well done!"
+[[nodiscard]] std::string partner_note(int turn, std::string_view text);
+/// Nothing for another note.
+[[nodiscard]] std::optional<PartnerWords> read_partner_note(std::string_view note);
 
 }  // namespace fulcrum::runtime

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 namespace fulcrum::runtime {
@@ -118,8 +119,7 @@ WorldPlan world_plan(const LessonDescription& lesson, const FeltWeights& felt) {
 }
 
 const BodyDescription* first_movable(const LessonDescription& lesson) {
-    const auto found = std::find_if(lesson.bodies.begin(), lesson.bodies.end(),
-                                    [](const BodyDescription& body) { return body.movable; });
+    const auto found = std::ranges::find_if(lesson.bodies, &BodyDescription::movable);
     return found == lesson.bodies.end() ? nullptr : &*found;
 }
 
@@ -165,6 +165,9 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         add("lesson", "dialogue", 0.0,
             "it asks questions, answered as " + std::string(name_of(plan.speech)),
             line_of_dialogue(lesson));
+    }
+    if (plan.partner.kind != PartnerKind::shipped) {
+        add("lesson", "partner", 0.0, why_of(plan.partner.kind), line_of_dialogue(lesson));
     }
     if (plan.free_english) {
         add("lesson", "free English", 0.0, "it checks what fits no answer",
@@ -295,11 +298,9 @@ FeltWeights fit_felt_weights(const std::vector<BodyDescription>& bodies, double 
     // The heaviest load: as many of the heaviest bodies as the bucket holds.
     std::vector<double> heaviest_first = felt.newtons;
     std::sort(heaviest_first.begin(), heaviest_first.end(), std::greater<>());
-    double load_N = 0.0;
-    for (std::size_t i = 0;
-         i < heaviest_first.size() && i < static_cast<std::size_t>(std::max(holds, 0)); ++i) {
-        load_N += heaviest_first[i];
-    }
+    const auto n = std::min(static_cast<std::size_t>(std::max(holds, 0)), heaviest_first.size());
+    const auto end = heaviest_first.begin() + static_cast<std::ptrdiff_t>(n);
+    const double load_N = std::accumulate(heaviest_first.begin(), end, 0.0);
     // One factor for all keeps order and ratios.
     const double allowed_N = kWeightShareOfLimit * force_limit_N;
     if (load_N > allowed_N) {
@@ -324,6 +325,7 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
     plan.dialogue = !lesson.questions.empty() || !lesson.knowledge.empty();
     plan.free_english = !lesson.questions.empty() && lesson.free_english;
     plan.speech = options.speech;
+    plan.partner = plan.dialogue ? options.partner : PartnerOrder{};
     plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
     if (plan.recogniser) {
         plan.hearing = options.hearing;

@@ -11,6 +11,7 @@
 #include "runtime/effect/surface/stable_wall.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/listen_mode.h"
+#include "runtime/scene/partner_order.h"
 #include "runtime/scene/picture/felt_pictures.h"
 #include "runtime/scene/site_limits.h"
 
@@ -76,6 +77,7 @@ struct PlanOptions {
     double day = kTestDay;  ///< today, as the lesson is told: days since noon of 1 January 2000
     SpeechInput speech = SpeechInput::text;
     HearingOrder hearing{};
+    PartnerOrder partner{};
     ShapeCache* shapes = nullptr;  ///< keeps what takes long to make; null: it is made each time
     PlanProgress progress{};
 };
@@ -123,6 +125,7 @@ struct Plan {
     SpeechInput speech = SpeechInput::text;  ///< how answers arrive, when there are any
     bool recogniser = false;         ///< a speech recogniser listens; never with SpeechInput::text
     HearingOrder hearing{};          ///< what that is
+    PartnerOrder partner{};          ///< who talks back; shipped where nobody is asked
     bool microphone = false;         ///< it hears one: somebody is there, and no recording is given
     bool live = false;               ///< on the loops' own threads, in real time
     bool waits_for_hearing = false;  ///< until it answers: no hand waits

@@ -1,5 +1,6 @@
-// Any line at all from a program that hears, or to one: read or refused in one sentence, and what was read is written as it is read again.
+// Any line at all from a program that hears or talks, or to one that hears: read or refused in one sentence, and what was read is written as it is read again.
 #include "dialogue/speech/external/hearing_lines.h"
+#include "dialogue/speech/external/partner_lines.h"
 #include "tests/fuzz/promise.h"
 
 namespace {
@@ -38,5 +39,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string line(reinterpret_cast<const char*>(data), size);
     go_round(line, [](std::string_view text) { return read_answer(text); });
     go_round(line, [](std::string_view text) { return read_order(text); });
+    if (const auto said = read_text_line(line)) {
+        require(said->text.size() <= 4 * kLongestPartnerText);
+        require(said->text.find_first_of("\n\t\x1b\x7f") == std::string::npos);
+    }
     return 0;
 }

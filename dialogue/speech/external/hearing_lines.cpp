@@ -1,19 +1,17 @@
 #include "dialogue/speech/external/hearing_lines.h"
 
+#include "dialogue/speech/external/json_line.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace fulcrum::dialogue {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::string_view kLetters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr int kMostDepth = 4;
 
 // RFC 4648, section 4.
 std::string to_base64(const std::vector<std::int16_t>& samples) {
@@ -73,36 +71,6 @@ std::optional<std::vector<std::int16_t>> from_base64(std::string_view text) {
     return samples;
 }
 
-// An object, not nested deeply and not long; null where it is none.
-Json parse_line(std::string_view line) {
-    if (line.size() > kLongestLine_bytes) {
-        return {};
-    }
-    bool is_deep = false;
-    const auto guard = [&](int depth, Json::parse_event_t /*event*/, Json& /*parsed*/) {
-        is_deep = is_deep || depth > kMostDepth;
-        return !is_deep;
-    };
-    Json json = Json::parse(line, guard, false);
-    return json.is_object() && !is_deep ? json : Json{};
-}
-
-std::optional<int> whole_number(const Json& object, const char* key) {
-    const auto found = object.find(key);
-    if (found == object.end() || !found->is_number_integer()) {
-        return {};
-    }
-    const auto value = found->get<std::int64_t>();
-    constexpr std::int64_t kMost = 1'000'000'000;
-    return value >= -1 && value <= kMost ? std::optional(static_cast<int>(value)) : std::nullopt;
-}
-
-std::optional<std::string> text_of(const Json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? std::optional(found->get<std::string>())
-                                                       : std::nullopt;
-}
-
 std::optional<std::vector<std::string>> texts_of(const Json& object, const char* key) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_array() ||
@@ -151,15 +119,10 @@ std::optional<WordGraph> read_graph(const Json& object) {
     return graph;
 }
 
-// Bytes that are no UTF-8 become question marks.
-std::string to_text(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 }  // namespace
 
 Expected<HearingOrder> read_order(std::string_view line) {
-    const Json object = parse_line(line);
+    const Json object = parse_line(line, kLongestLine_bytes);
     if (const auto question = whole_number(object, "listen")) {
         auto graph = read_graph(object);
         return graph ? Expected<HearingOrder>(ListenLine{*question, std::move(*graph)})
@@ -200,7 +163,7 @@ std::string write_line(const HearingOrder& order) {
 }
 
 Expected<HearingAnswer> read_answer(std::string_view line) {
-    const Json object = parse_line(line);
+    const Json object = parse_line(line, kLongestLine_bytes);
     if (whole_number(object, "ready") == 1) {
         const auto form = object.find("form");
         const bool hears_form = form == object.end() || !form->is_boolean() || form->get<bool>();
