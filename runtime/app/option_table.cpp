@@ -115,6 +115,21 @@ Expected<void> set_speech(Options& options, const OptionRow& row, const std::str
     return refuse(row, value, "use text, sphinx or exec:COMMAND");
 }
 
+Expected<void> set_dialogue(Options& options, const OptionRow& row, const std::string& value) {
+    constexpr std::string_view kExec = "exec:";
+    PartnerOrder& partner = options.partner;
+    partner = {.is_given = true};
+    if (value.starts_with(kExec) && value.size() > kExec.size()) {
+        partner.kind = PartnerKind::external;
+        partner.words = {"/bin/sh", "-c", value.substr(kExec.size())};
+    } else if (value == name_of(PartnerKind::none)) {
+        partner.kind = PartnerKind::none;
+    } else if (value != name_of(PartnerKind::shipped)) {
+        return refuse(row, value, "use shipped, none or exec:COMMAND");
+    }
+    return {};
+}
+
 // "recast,prompt,rule", or "lesson", as that says.
 Expected<void> set_feedback(Options& options, const OptionRow& row, const std::string& value) {
     options.feedback.emplace();
@@ -240,6 +255,9 @@ std::span<const OptionRow> option_rows() {
          recast,prompt,rule); kept with a --learner until another is given, or lesson)"},
         {"--mute", "", of(run, menu, explain), put<&Options::mute>, "without sound"},
         {"--watch", "", of(run, menu), put<&Options::watch>, "runs again whenever a file of the lesson is saved, not only after a mistake"},
+        {"--dialogue", "shipped|none|exec:COMMAND", of(run, menu, explain), set_dialogue,
+         R"(who chooses the words that are said back: the program itself (shipped); nobody; a program of your own, which marks nothing
+         (dialogue/README.md))"},
         {"--speech", "text|sphinx|exec:COMMAND", of(run, menu, explain), set_speech,
          R"(how answers come beside typing: not at all (text); spoken, heard by PocketSphinx; heard by a program of your own
          (dialogue/README.md))"},

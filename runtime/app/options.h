@@ -72,6 +72,7 @@ struct Options {
     std::string record;
     std::string screenshot;
     double screenshot_at_s = -1.0;  ///< negative: at the run's end
+    PartnerOrder partner{};
     SpeechInput speech = SpeechInput::text;
     std::optional<double> throat;
     std::optional<double> sureness;

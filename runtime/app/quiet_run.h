@@ -17,6 +17,7 @@ namespace fulcrum::runtime {
     RunRequest request;
     request.plan.site = options.site;
     request.plan.speech = options.speech;
+    request.plan.partner = options.partner;
     request.plan.picture = false;
     request.plan.sound = false;
     request.own_test = true;

@@ -94,6 +94,8 @@ Expected<void> choose_answers(const Options& options, bool in_window, RunRequest
 
 // Which program hears, and what.
 Expected<void> choose_hearing(const Places& places, const Options& options, RunRequest& request) {
+    request.plan.partner = options.partner;
+    request.plan.partner.gives_up = interrupted;
     request.plan.speech = options.speech;
     if (options.speech == SpeechInput::text) {
         if (options.hear.empty() && !options.sureness) {

@@ -83,6 +83,15 @@ TEST_CASE("options: each command takes its own, as it is said") {
     CHECK(read("menu --speech sphinx --sure 0").sureness == 0.0);
     check_says(usage(), {"--sure N"});
 
+    CHECK(read("run gravity").partner.kind == PartnerKind::shipped);
+    CHECK_FALSE(read("run gravity").partner.is_given);
+    CHECK(read("run gravity --dialogue shipped").partner.is_given);
+    CHECK(read("menu --dialogue none").partner.kind == PartnerKind::none);
+    const Options talking = read("explain gravity --dialogue exec:talk");
+    CHECK(talking.partner.kind == PartnerKind::external);
+    CHECK(talking.partner.words == std::vector<std::string>{"/bin/sh", "-c", "talk"});
+    check_says(usage(), {"--dialogue NAME"});
+
     CHECK_FALSE(read("test gravity").by);
     CHECK(read("test gravity --by arm").by == PlayedBy::arm);
     CHECK(read("test gravity --by mouse").by == PlayedBy::mouse);
