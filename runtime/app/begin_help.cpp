@@ -44,7 +44,7 @@ BeginHelp find_begin_help(const LessonRun& run, const RunRequest& request) {
 
 std::vector<ScreenButton> find_buttons(const LessonRun& run) {
     std::vector<ScreenButton> buttons;
-    if (run.session().hud().may_ask) {
+    if (run.session().hud().knows) {
         buttons.push_back(ScreenButton::ask);
     }
     if (run.why().is_there()) {

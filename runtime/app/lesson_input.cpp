@@ -78,9 +78,11 @@ void LessonInput::take_playing_key(const KeyPress& press) {
 }
 
 void LessonInput::switch_asking() {
-    if (run_->session().hud().may_ask) {
+    if (run_->session().hud().knows) {
         asking_ = !asking_;
         typing_.clear();
+        choices_.clear();
+        chosen_ = kTypingSpot;
     }
 }
 
@@ -120,6 +122,7 @@ void LessonInput::give_answer() {
 }
 
 void LessonInput::choose(int step) {
+    asking_ = false;
     const auto n = static_cast<int>(choices_.size());
     if (n == 0) {
         wants_choices_ = true;
@@ -132,7 +135,7 @@ void LessonInput::choose(int step) {
 void LessonInput::pick(int spot, const std::string& said) {
     swallows_click_ = true;
     if (spot == kTypingSpot) {
-        wants_choices_ = asked();
+        wants_choices_ = asked() && !asking_;
         return;
     }
     if (asked() && spot < static_cast<int>(choices_.size()) &&
@@ -239,7 +242,7 @@ Expected<FrameInput> LessonInput::take_frame(double now_s, double paused_s) {
 
 void LessonInput::look_again() {
     const SessionHud& hud = run_->session().hud();
-    asking_ = asking_ && hud.may_ask;
+    asking_ = asking_ && hud.knows;
     if (!hud.question_open || hud.question_asked_at_s != asked_at_s_) {
         asked_at_s_ = hud.question_asked_at_s;
         choices_.clear();

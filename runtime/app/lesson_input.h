@@ -68,6 +68,8 @@ class LessonInput {
     [[nodiscard]] bool paused() const { return stop_.paused(); }
     [[nodiscard]] const std::vector<AnswerChoice>& choices() const { return choices_; }
     [[nodiscard]] int chosen() const { return chosen_; }
+    /// The line is there to ask something.
+    [[nodiscard]] bool asking() const { return asking_; }
     /// Where the pointer is, in pixels, moved by keys too.
     [[nodiscard]] const Vector2& pointer_px() const { return pointer_px_; }
     /// The same of the pointer that keys move by themselves, where a hand is theirs.

@@ -322,6 +322,8 @@ View LessonScreen::compose() const {
     // Before anything is typed the line says what else there is.
     if (!view.choices.empty()) {
         view.microphone.words = catalogue_.say("hud.choose_here");
+    } else if (input_.asking()) {
+        view.microphone.words = catalogue_.say("hud.ask_here");
     } else if (view.input_visible && view.microphone.words.empty()) {
         view.microphone.words = catalogue_.say("hud.type_here");
     }

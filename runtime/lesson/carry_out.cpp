@@ -97,7 +97,9 @@ Expected<void> LessonSession::carry_out(const VerdictCommand& command, SessionOu
 
 Expected<void> LessonSession::carry_out(const TellCommand& command, SessionOutput&) {
     if (asked_for_ && asked_for_->knowledge == command.knowledge) {
-        tell(asked_for_->mark.said, knowledge_->told(*asked_for_, command.text));
+        tell(asked_for_->mark.said, gives_away(command.text)
+                                        ? knowledge_->first_mine()
+                                        : knowledge_->told(*asked_for_, command.text));
         asked_for_.reset();
     }
     return {};
@@ -181,7 +183,15 @@ bool LessonSession::asks_instead(const std::string& words, double confidence) co
            asks_something(words) && !dialogue_.wants_help(words) && !dialogue_.understands(words);
 }
 
-// The learner asks: true when these words are none of an answer. A question that is open comes first, unless it invites to ask.
+// What would answer the question that is open is the learner's to say.
+bool LessonSession::gives_away(const std::string& told) const {
+    return dialogue_.is_open() &&
+           std::ranges::any_of(dialogue::sentences_of(told), [&](const std::string& sentence) {
+               return dialogue_.understands(sentence);
+           });
+}
+
+// The learner asks: true when these words are none of an answer. A question that is open stays open, unless it invites to ask.
 bool LessonSession::ask_for(const std::string& words, const dialogue::Hypothesis& heard) {
     const bool heard_well = dialogue_.heard_well(heard.confidence);
     // "It is made of glass" asks for nothing while a question is open, however much it is like "is it made of glass".
@@ -191,11 +201,8 @@ bool LessonSession::ask_for(const std::string& words, const dialogue::Hypothesis
         take_question(std::move(*asked), heard.confidence);
         return true;
     }
-    if (dialogue_.is_open()) {
-        if (asked) {
-            tell(words, knowledge_->first_mine());
-        }
-        return asked.has_value();
+    if (!asked && dialogue_.is_open()) {
+        return false;
     }
     if (!asked) {
         tell(words, heard_well ? knowledge_->unknown() : knowledge_->heard_badly());

@@ -226,6 +226,7 @@ void LessonSession::show() {
     hud_.caption = speech_.instruction();
     hud_.feedback = speech_.last_reply();
     hud_.question_open = dialogue_.is_open();
+    hud_.knows = knowledge_.has_value();
     hud_.may_ask = knowledge_.has_value() && !dialogue_.is_open();
     hud_.invited = dialogue_.is_invited();
     hud_.question_asked_at_s = dialogue_.asked_at_s();

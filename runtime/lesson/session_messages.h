@@ -51,7 +51,8 @@ struct SessionHud {
     int level = 0;
     std::string level_title;
     int stars = -1;        ///< 0 to 3 once the lesson is over
-    bool may_ask = false;  ///< the lesson knows things, and no question is open
+    bool knows = false;    ///< the lesson answers what is asked
+    bool may_ask = false;  ///< likewise, and no question is open
     bool invited = false;  ///< the answer was right; it may be said once more, and need not be
     std::vector<bool> covered{};  ///< by body: under a cloth
     KiteSeen kite{};

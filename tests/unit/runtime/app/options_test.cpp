@@ -90,7 +90,7 @@ TEST_CASE("options: each command takes its own, as it is said") {
     const Options talking = read("explain gravity --dialogue exec:talk");
     CHECK(talking.partner.kind == PartnerKind::external);
     CHECK(talking.partner.words == std::vector<std::string>{"/bin/sh", "-c", "talk"});
-    check_says(usage(), {"--dialogue NAME"});
+    check_says(usage(), {"--dialogue shipped|none|exec:COMMAND"});
 
     CHECK_FALSE(read("test gravity").by);
     CHECK(read("test gravity --by arm").by == PlayedBy::arm);

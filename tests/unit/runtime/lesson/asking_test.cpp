@@ -131,7 +131,7 @@ TEST_CASE("asking: who asked while a question is open is waited for anew") {
     const double asked_at_s = play.session->hud().question_asked_at_s;
     for (const char* asked : {"What colour is the apple?", "Can I eat it?"}) {
         play.hear(asked);
-        play.reply();
+        play.reply({TellCommand{"colour", "It is red."}});
         CHECK(play.session->hud().question_asked_at_s > asked_at_s);
         CHECK(play.session->listens());
     }

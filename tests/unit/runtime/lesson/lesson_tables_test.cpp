@@ -252,7 +252,7 @@ class Script {
     }
 };
 
-/// What comes of it in this state of a dialogue, and what the lesson is told: "set_aside, wrong".
+/// What comes of it in this state of a dialogue, and what the lesson is told: "replaying, wrong".
 std::string turn(const std::string& from, const std::string& what) {
     constexpr std::array kNames{"idle",    "asked",       "heard", "replaying",
                                 "invited", "heard_again", "left",  "done"};

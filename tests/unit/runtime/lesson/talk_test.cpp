@@ -7,10 +7,10 @@ using namespace fulcrum::runtime::test;
 
 namespace {
 
-Talk build(PartnerOrder partner) {
+Talk build(PartnerOrder partner, const LessonDescription& lesson = two_things()) {
     PlanOptions options;
     options.partner = std::move(partner);
-    return Talk::build(compile_plan(two_things(), options, nullptr).value(), words());
+    return Talk::build(compile_plan(lesson, options, nullptr).value(), words());
 }
 
 PartnerOrder program(const std::string& script) {
@@ -72,6 +72,9 @@ TEST_CASE("talk: who talks is the plan's, and another's words are noted by their
     CHECK(answer(missing) == "own");
     CHECK(missing.take_troubles() ==
           std::vector<std::string>{"Nobody else talks: no program is named; name one."});
+    LessonDescription silent = two_things();
+    silent.questions.clear();
+    CHECK(build({.kind = PartnerKind::external}, silent).take_troubles().empty());  // not started
 }
 
 TEST_CASE("talk: a partner's note is read back as it was written, and no other note is one") {
