@@ -66,6 +66,7 @@ class LessonInput {
     void show(View& view) const;
     [[nodiscard]] bool stopped() const { return stop_.stopped(); }
     [[nodiscard]] bool paused() const { return stop_.paused(); }
+    [[nodiscard]] bool stands_still() const { return stop_.stands_still(); }
     [[nodiscard]] const std::vector<AnswerChoice>& choices() const { return choices_; }
     [[nodiscard]] int chosen() const { return chosen_; }
     /// The line is there to ask something.

@@ -251,7 +251,7 @@ void LessonScreen::exchange() {
     }
     say(take_device_notice(run_->hands()));
     const double now_s = monotonic_now_s() - epoch_s_;
-    if (auto stood = pause_.take(input_.stopped(), now_s, *run_, loops_, desktop_); !stood) {
+    if (auto stood = pause_.take(input_.stands_still(), now_s, *run_, loops_, desktop_); !stood) {
         fail_with(stood.error());
         return;
     }

@@ -37,7 +37,8 @@ void StopKeys::switch_pause() noexcept {
 
 void StopKeys::lose_focus(bool renders_force, bool plays) noexcept {
     if (channels_ != nullptr && !stopped_ && (renders_force || plays)) {
-        press(!renders_force);
+        press(plays);
+        goes_on_ = !plays;
     }
 }
 
@@ -60,6 +61,7 @@ void StopKeys::watch_gate(bool is_stopped) noexcept {
 
 void StopKeys::press(bool is_pause) noexcept {
     is_pause_ = is_pause;
+    goes_on_ = false;
     stopped_ = true;
     if (channels_ != nullptr) {
         channels_->emergency_stop.press();

@@ -32,7 +32,8 @@ class StopKeys {
     StopKey take(std::string_view key, bool repeat, const RunState& run) noexcept;
     /// P, or the button on the screen: pauses, or goes on from pause and stop.
     void switch_pause() noexcept;
-    /// Nobody can press a key here any more: an arm that renders forces is stopped, and what somebody `plays` without one is paused.
+    /// Nobody can press a key here any more: what somebody `plays` is paused. Where nobody has begun, an arm that renders forces is stopped,
+    /// and the lesson goes on.
     void lose_focus(bool renders_force, bool plays) noexcept;
     /// Somebody has stopped it from outside (stop_signal.h), `seen` times since the program began.
     void hear(unsigned seen) noexcept;
@@ -41,6 +42,8 @@ class StopKeys {
     /// Of both.
     [[nodiscard]] bool stopped() const noexcept { return stopped_; }
     [[nodiscard]] bool paused() const noexcept { return stopped_ && is_pause_; }
+    /// The lesson waits too.
+    [[nodiscard]] bool stands_still() const noexcept { return stopped_ && !goes_on_; }
 
   private:
     void press(bool is_pause) noexcept;
@@ -49,6 +52,7 @@ class StopKeys {
     HapticChannels* channels_ = nullptr;
     bool stopped_ = false;
     bool is_pause_ = false;
+    bool goes_on_ = false;
     unsigned heard_;          // stops from outside
     int stopped_frames_ = 0;  // of the gate, while no key has stopped it
 };

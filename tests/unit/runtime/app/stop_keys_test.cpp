@@ -121,11 +121,16 @@ TEST_CASE(
     keys.watch(run.channels.get());
     keys.lose_focus(false, false);
     CHECK_FALSE(keys.stopped());
-    keys.lose_focus(false, true);
-    CHECK(keys.paused());
+    for (const bool renders_force : {false, true}) {
+        keys.lose_focus(renders_force, true);
+        CHECK(keys.paused());
+        CHECK(keys.stands_still());
+        CHECK(keys.take("p", false, kPlaying) == StopKey::lift);
+        CHECK_FALSE(keys.stands_still());
+    }
 }
 
-TEST_CASE("stop keys: an arm whose window lost the keyboard is stopped, and is not paused") {
+TEST_CASE("stop keys: an arm whose window lost the keyboard is stopped where nobody plays yet") {
     Run run;
     StopKeys keys;
     keys.lose_focus(true, true);
@@ -133,9 +138,10 @@ TEST_CASE("stop keys: an arm whose window lost the keyboard is stopped, and is n
     keys.watch(run.channels.get());
     keys.lose_focus(false, false);
     CHECK_FALSE(run.is_pressed());
-    keys.lose_focus(true, true);
+    keys.lose_focus(true, false);
     CHECK(keys.stopped());
     CHECK_FALSE(keys.paused());
+    CHECK_FALSE(keys.stands_still());
     CHECK(run.is_pressed());
     press_each(keys, run, {{"return", false, StopKey::lift, false, true}});
 }
