@@ -20,7 +20,8 @@ constexpr Model (*kModels[])() = {
     make_table,      make_statue,  make_bell,    make_chair,    make_castle,  make_sun,
     make_mercury,    make_venus,   make_earth,   make_mars,     make_jupiter, make_saturn,
     make_uranus,     make_neptune, make_lever,   make_support,  make_ring,    make_bowl,
-    make_walker,     make_gem,     make_handles, make_cylinder, make_capsule, make_hand};
+    make_walker,     make_gem,     make_handles, make_cylinder, make_capsule, make_hand,
+    make_kite};
 
 void write(const std::filesystem::path& folder, const Model& model) {
     const auto bytes = encode_glb(model);

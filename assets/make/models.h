@@ -24,7 +24,8 @@ make_bucket();  ///< origin at the rim's centre, opening up; 0.11 m radius insid
 [[nodiscard]] Model make_box();  ///< 2 m along each side; drawn at a body's radius as half a side
 [[nodiscard]] Model make_cylinder();  ///< post, 0.16 m tall, 0.08 m across; middle
 [[nodiscard]] Model make_capsule();   ///< with round ends, 0.2 m tall, 0.08 m across; middle
-[[nodiscard]] Model make_hand();      ///< with round ends, 0.2 m tall, 0.08 m across; middle
+[[nodiscard]] Model make_hand();      ///< a white glove that points, 0.11 m; its first finger's tip
+[[nodiscard]] Model make_kite();      ///< a diamond with a tail, 0.3 m tall; where its spars cross
 [[nodiscard]] Model make_plank();     ///< shelf board, 0.9 m by 0.2 m, its top at y = 0
 [[nodiscard]] Model make_ring();      ///< lying, 0.16 m across, its tube 0.032 m; middle
 [[nodiscard]] Model make_bowl();      ///< open upwards, 0.2 m across; the middle of its rim

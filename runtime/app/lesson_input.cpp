@@ -16,6 +16,7 @@ void LessonInput::begin(LessonRun* run) {
     choices_.clear();
     chosen_ = kTypingSpot;
     wants_choices_ = false;
+    end_choice_ = kAgain;
 }
 
 bool LessonInput::asked() const {
@@ -66,6 +67,10 @@ void LessonInput::take_playing_key(const KeyPress& press) {
         switch_asking();
     } else if (press.key == "p" && !types() && !press.repeat) {
         stop_.switch_pause();
+    } else if (ended() && (press.key == "down" || press.key == "up")) {
+        end_choice_ = end_choice_ == kAgain ? kLeave : kAgain;
+    } else if (ended() && press.key == "return" && !press.repeat) {
+        take_end_choice();
     } else if (press.key == "backspace") {
         typing_.backspace();
     } else if (types() && press.key == "return") {
@@ -121,6 +126,15 @@ void LessonInput::give_answer() {
     chosen_ = kTypingSpot;
 }
 
+// The space bar plays again, whoever presses it.
+void LessonInput::take_end_choice() {
+    if (end_choice_ == kLeave) {
+        orders_.push_back(ScreenOrder::leave);
+    } else {
+        frame_.keys.emplace_back("space");
+    }
+}
+
 void LessonInput::choose(int step) {
     asking_ = false;
     const auto n = static_cast<int>(choices_.size());
@@ -134,6 +148,10 @@ void LessonInput::choose(int step) {
 
 void LessonInput::pick(int spot, const std::string& said) {
     swallows_click_ = true;
+    if (ended()) {
+        end_choice_ = spot;
+        return take_end_choice();
+    }
     if (spot == kTypingSpot) {
         wants_choices_ = asked() && !asking_;
         return;
@@ -256,7 +274,7 @@ void LessonInput::show(View& view) const {
     for (const AnswerChoice& choice : choices_) {
         view.choices.push_back({choice.said, {}});
     }
-    view.chosen = chosen_;
+    view.chosen = ended() ? end_choice_ : chosen_;
 }
 
 }  // namespace fulcrum::runtime

@@ -62,6 +62,11 @@ class LessonInput {
     void pick(int spot, const std::string& said);
     static constexpr int kTypingSpot = -1;
 
+    /// The lesson is over: it is played again, or left.
+    [[nodiscard]] bool ended() const {
+        return run_ != nullptr && run_->session().result().finished;
+    }
+    enum EndChoice : int { kAgain, kLeave };
     /// What is typed, and what may be chosen; without pictures.
     void show(View& view) const;
     [[nodiscard]] bool stopped() const { return stop_.stopped(); }
@@ -91,6 +96,7 @@ class LessonInput {
     void take_playing_key(const KeyPress& press);
     void switch_asking();
     void give_answer();
+    void take_end_choice();
     void choose(int step);
     [[nodiscard]] std::optional<std::size_t> keys_hand() const;
     [[nodiscard]] double depth_m(const Camera& camera, std::size_t hand, double wheel_m) const;
@@ -118,6 +124,7 @@ class LessonInput {
     std::vector<AnswerChoice> choices_;  // of the question asked at this time
     int chosen_ = kTypingSpot;
     bool wants_choices_ = false;
+    int end_choice_ = kAgain;
     double asked_at_s_ = 0.0;
 };
 

@@ -320,7 +320,9 @@ View LessonScreen::compose() const {
         ear_->show(view, catalogue_);
     }
     // Before anything is typed the line says what else there is.
-    if (!view.choices.empty()) {
+    if (input_.ended()) {
+        view.choices = {{catalogue_.say("end.play_again"), {}}, {catalogue_.say("end.menu"), {}}};
+    } else if (!view.choices.empty()) {
         view.microphone.words = catalogue_.say("hud.choose_here");
     } else if (input_.asking()) {
         view.microphone.words = catalogue_.say("hud.ask_here");
@@ -352,9 +354,6 @@ ScreenTrouble LessonScreen::find_trouble() const {
 
 // What helps where nothing else is said.
 void LessonScreen::show_hints(View& view) const {
-    if (view.caption.empty() && run_->session().result().finished) {
-        view.caption = catalogue_.say("hud.leave", {{"key", "Escape"}});
-    }
     const std::string before = said_before_.shown(monotonic_now_s());
     if (view.banner.empty() && !before.empty()) {
         view.banner = catalogue_.say("hud.said_before", {{"text", before}});

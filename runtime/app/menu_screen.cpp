@@ -8,13 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fulcrum::runtime {
 namespace {
 
-// What the learner will hold, else the first thing there is.
+// What it says, else what the learner will hold, else the first thing there is.
 std::string icon_of(const LessonDescription& lesson) {
+    if (!lesson.icon.empty()) {
+        return lesson.icon;
+    }
     const auto movable = std::find_if(lesson.bodies.begin(), lesson.bodies.end(),
                                       [](const BodyDescription& body) { return body.movable; });
     if (movable != lesson.bodies.end()) {
@@ -128,6 +132,8 @@ std::vector<LessonCard> read_lesson_cards(const Places& places) {
         process_options.waits_on = patience(kLongestWindowWait_s);
         if (const auto process = LessonProcess::start(files, process_options); process) {
             const LessonDescription& lesson = (*process)->description();
+            card.id = lesson.id;
+            card.order = lesson.order;
             card.title = lesson.title;
             card.level = lesson.level;
             card.minutes = lesson.minutes;
@@ -138,11 +144,41 @@ std::vector<LessonCard> read_lesson_cards(const Places& places) {
         }
         cards.push_back(std::move(card));
     }
+    put_in_order(cards);
     return cards;
 }
 
+void put_in_order(std::vector<LessonCard>& cards) {
+    std::ranges::stable_sort(cards, {}, [](const LessonCard& card) {
+        return card.order > 0 ? card.order : std::numeric_limits<int>::max();
+    });
+}
+
+BestStars read_best_stars(ProgressStore& store, const std::string& learner) {
+    BestStars best;
+    if (learner.empty()) {
+        return best;
+    }
+    const auto kept = store.read({.nickname = learner, .lesson = {}, .results_only = true});
+    if (!kept) {
+        return best;
+    }
+    std::map<RecordId, std::string> lesson_of;
+    for (const SessionRecord& session : kept->sessions) {
+        lesson_of[session.id] = session.lesson;
+    }
+    for (const SessionEnd& end : kept->ends) {
+        if (end.reason == EndReason::finished) {
+            std::int32_t& stars = best[lesson_of[end.session]];
+            stars = std::max(stars, end.stars);
+        }
+    }
+    return best;
+}
+
 View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
-               const dialogue::Catalogue& catalogue, const std::string& learner) {
+               const dialogue::Catalogue& catalogue, const std::string& learner,
+               const BestStars& stars) {
     View view;
     view.tool_visible = false;
     view.title = catalogue.say("menu.title");
@@ -161,6 +197,9 @@ View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
                       catalogue.say("menu.minutes",
                                     {{"minutes", std::to_string(std::lround(card.minutes))}})
                 : card.error;
+        if (const auto best = stars.find(card.id); best != stars.end()) {
+            item.stars = best->second;
+        }
         view.menu.push_back(std::move(item));
     }
     const int selected = choice.selected;
@@ -175,16 +214,17 @@ View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
 }
 
 std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<LessonCard>& cards,
-                                        const dialogue::Catalogue& catalogue,
+                                        const dialogue::Catalogue& catalogue, ProgressStore& store,
                                         std::string& learner) {
     load_icons(desktop, cards);
+    BestStars stars = read_best_stars(store, learner);
     MenuChoice choice;
     TypedLine name(kLongestName_bytes, learner);
     double wheel = 0.0;
     double now_s = monotonic_now_s();
     bool stale = true;
     while (true) {
-        const View view = menu_view(cards, choice, catalogue, name.text());
+        const View view = menu_view(cards, choice, catalogue, name.text(), stars);
         if (stale) {
             desktop.picture->show(view);
         }
@@ -197,6 +237,9 @@ std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<Less
             if (press.key == "f11") {
                 desktop.window->set_fullscreen(!desktop.window->fullscreen());
             }
+        }
+        if (input.typed) {
+            stars = read_best_stars(store, name.text());
         }
         const MenuAnswer answer = answer_menu(input, desktop.picture->menu_layout(view),
                                               static_cast<int>(cards.size()), choice);

@@ -8,8 +8,11 @@
 #include "runtime/app/desktop.h"
 #include "runtime/app/places.h"
 #include "runtime/app/typing.h"
+#include "runtime/progress/store.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,12 +23,17 @@ namespace fulcrum::runtime {
 struct LessonCard {
     std::filesystem::path folder;
     std::string name;  ///< of the folder
+    std::string id;    ///< as progress is kept
     std::string title;
     std::string level;  ///< CEFR
     double minutes = 0.0;
     std::string icon;   ///< a model
     std::string error;  ///< why it cannot be loaded; empty when it can
+    int order = 0;      ///< 0: it says nothing of it
 };
+
+/// The most stars that a learner has had, by a lesson's id.
+using BestStars = std::map<std::string, std::int32_t>;
 
 /// Which card is chosen, and which row of cards is seen first.
 struct MenuChoice {
@@ -63,17 +71,23 @@ struct MenuAnswer {
 [[nodiscard]] MenuAnswer answer_menu(const MenuInput& input, const MenuLayout& layout, int n_cards,
                                      const MenuChoice& before);
 
-/// Loads every lesson once to see how it calls itself.
+/// Of whoever is called so; nothing for nobody, and where it cannot be read.
+[[nodiscard]] BestStars read_best_stars(ProgressStore& store, const std::string& learner);
+
+/// Loads every lesson once to see how it calls itself; in their order.
 [[nodiscard]] std::vector<LessonCard> read_lesson_cards(const Places& places);
+/// As they want to stand; those that say nothing of it as they are, behind the others.
+void put_in_order(std::vector<LessonCard>& cards);
 
 /// Shows the list until a lesson is chosen; nothing when the learner leaves. `learner` is who plays, as typed here.
 [[nodiscard]] std::optional<LessonCard> choose_lesson(Desktop& desktop,
                                                       const std::vector<LessonCard>& cards,
                                                       const dialogue::Catalogue& catalogue,
-                                                      std::string& learner);
+                                                      ProgressStore& store, std::string& learner);
 
 /// The list as a picture; for tests and screenshots.
 [[nodiscard]] View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
-                             const dialogue::Catalogue& catalogue, const std::string& learner = {});
+                             const dialogue::Catalogue& catalogue, const std::string& learner = {},
+                             const BestStars& stars = {});
 
 }  // namespace fulcrum::runtime

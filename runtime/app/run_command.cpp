@@ -189,7 +189,7 @@ int menu_command(const Installation& installation, const Options& options) {
     const auto cards = read_lesson_cards(installation.places);
     Options chosen = options;
     while (const auto card =
-               choose_lesson(*desktop, cards, installation.catalogue, chosen.learner)) {
+               choose_lesson(*desktop, cards, installation.catalogue, *store, chosen.learner)) {
         chosen.lesson = card->name;
         auto request = make_request(installation.places, chosen, true);
         if (!request) {

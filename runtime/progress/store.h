@@ -24,8 +24,9 @@ namespace fulcrum::runtime {
 
 /// Which part of the progress is wanted; an empty field takes all.
 struct ProgressFilter {
-    std::string nickname;  ///< as `enrol` takes it
-    std::string lesson;    ///< a lesson's id
+    std::string nickname;       ///< as `enrol` takes it
+    std::string lesson;         ///< a lesson's id
+    bool results_only = false;  ///< how sessions ended, without what was said in them
 };
 
 /// Everything that a filter matched, as it stood at one moment, each list in the order of its

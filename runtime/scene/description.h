@@ -301,6 +301,8 @@ struct LessonDescription {
     bool wants_past =
         false;  ///< world:recall(): what this learner has answered in earlier sessions
     std::vector<LessonTestDescription> tests;
+    std::string icon{};      ///< the model that its card shows; empty: what the learner will hold
+    std::int32_t order = 0;  ///< where its card stands; 0: behind those that say so
 };
 
 }  // namespace fulcrum::runtime

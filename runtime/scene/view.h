@@ -53,6 +53,7 @@ struct ViewMenuItem {
     std::string title;
     std::string subtitle;  ///< level and minutes
     std::string icon;      ///< name of a model drawn small
+    int stars = -1;        ///< the learner's most, 0 to 3; -1: never played to its end
 };
 
 /// Whether somebody may speak, and how loud it is.

@@ -9,7 +9,7 @@ local story = require "story"
 local wait, wait_for = story.wait, story.wait_for
 
 local L = lesson {
-  id = "gravity", title = "Which one is the heaviest?", level = "A1", minutes = 10, free_english = true,
+  id = "gravity", title = "Which one is the heaviest?", icon = "watermelon", order = 1, level = "A1", minutes = 10, free_english = true,
   feedback = { "recast", "prompt", "replay", "rule" },   -- of an error that comes again the bucket shows once more what is meant
 }
 

@@ -8,7 +8,7 @@ local game = require "game"
 local story, explain_line, answers = require "story", require "line", require "answers"
 local wait, wait_until = story.wait, story.wait_until
 
-local L = lesson { id = "kite", title = "Why does a kite fly?", level = "A2", minutes = 15, free_english = true }
+local L = lesson { id = "kite", title = "Why does a kite fly?", icon = "kite", order = 5, level = "A2", minutes = 15, free_english = true }
 
 local breeze, strong = 4.5, 5.8     -- metres a second, 10 metres up; in the strong wind the line still pulls less than 4.5 N
 local most_in_breeze = 2.8          -- newtons in the hand

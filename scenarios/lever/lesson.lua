@@ -9,7 +9,7 @@ local numbers = require "numbers"
 local story = require "story"
 local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wait_with_help
 
-local L = lesson { id = "lever", title = "Can you lift the Earth?", level = "A2", minutes = 12, free_english = true }
+local L = lesson { id = "lever", title = "Can you lift the Earth?", icon = "lever", order = 4, level = "A2", minutes = 12, free_english = true }
 
 local height = 0.3            -- of the support's edge, on which the lever lies
 local earth_x = -0.5          -- where the toy Earth presses

@@ -10,7 +10,7 @@ local maze = require "maze"
 local story = require "story"
 local wait = story.wait
 
-local L = lesson { id = "maze-park", title = "Find the way out of the maze!", level = "A2", minutes = 20, tries = 4, free_english = true }
+local L = lesson { id = "maze-park", title = "Find the way out of the maze!", icon = "walker", order = 6, level = "A2", minutes = 20, tries = 4, free_english = true }
 
 bank.declare(L)
 

@@ -11,7 +11,7 @@ local planets = require "planets"
 local story = require "story"
 local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wait_with_help
 
-local L = lesson { id = "solar-system", title = "Can you turn a planet?", level = "A2", minutes = 15, free_english = true }
+local L = lesson { id = "solar-system", title = "Can you turn a planet?", icon = "saturn", order = 3, level = "A2", minutes = 15, free_english = true }
 
 local middle = { 0, 0.37, -0.25 }  -- of the Sun; so far back that all ways stand above what is written
 local near = { 0, 0.5, 0.3 }      -- where a planet is looked at and turned

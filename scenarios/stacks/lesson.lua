@@ -7,7 +7,7 @@ local know = require "know"
 local story = require "story"
 local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wait_with_help
 
-local L = lesson { id = "stacks", title = "Blocks", level = "A1", minutes = 10, free_english = true }
+local L = lesson { id = "stacks", title = "Blocks", icon = "box", order = 7, level = "A1", minutes = 10, free_english = true }
 
 know.things(L)
 know.words(L, { "newton", "weight" })

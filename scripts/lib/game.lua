@@ -14,7 +14,7 @@
 ---
 --- It tells its function as a story (see `story`: `wait` and `wait_for` belong in it too). When that ends there are stars:
 --- three for all points that could be had, two for three quarters of them, else one. `game` itself counts what could be
---- had. The space bar plays again.
+--- had. Then it may be played again.
 
 -- What the program gives to the shared library: mistakes are told at the lesson's own line.
 local module_name, program = ...
@@ -123,7 +123,7 @@ function game.ask(question, options)
   return answer
 end
 
---- Tells a game as a story, gives its stars, and plays it again after the space bar; `tell` is given how often it has been
+--- Tells a game as a story, gives its stars, and plays it again when the learner wants to (by the screen's choice, or the space bar); `tell` is given how often it has been
 --- begun, 1 at first.
 ---@param lesson Lesson
 ---@param world World
@@ -141,7 +141,7 @@ function game.play(lesson, world, tell)
       score, best = 0, 0
       world:score(0)
       tell(round)
-      world:caption "Press the space bar to play again."
+      world:caption(best > 0 and ("Points: %d of %d."):format(score, best) or "")
       world:finish { stars = score >= best and 3 or score >= two_stars * best and 2 or 1 }
       story.wait_for { "key", key = "space" }
     end

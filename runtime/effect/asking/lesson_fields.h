@@ -17,6 +17,13 @@ inline constexpr std::tuple kLesson{
                                       "level of English: A1, A2, B1, B2, C1 or C2"}),
     field(&LessonDescription::minutes,
           {"minutes", number, "minutes", 0, kMostMinutes, "10", "how long it takes"}),
+    field(&LessonDescription::icon,
+          {"icon", name, "", 0, 0, "nil",
+           "the model that its card shows; by default the first thing that can be held"}),
+    field(
+        &LessonDescription::order,
+        {"order", integer, "", 0, 1000, "0",
+         "where its card stands in the list of lessons; those without come last, by their names"}),
     argument({"force_limit", number, "newtons", kLeastForceLimit_N, kMostForceLimit_N, "nil",
               "no force in this lesson is larger; this place and the device may allow less"}),
     field(&LessonDescription::free_english,

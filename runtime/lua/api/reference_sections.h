@@ -31,13 +31,13 @@ struct EventText {
 [[nodiscard]] std::vector<EventText> event_texts();
 
 /// The models that the program makes, and those that need no file.
-inline constexpr std::array<std::string_view, 43> kModelNames{
+inline constexpr std::array<std::string_view, 44> kModelNames{
     "watermelon", "apple",     "banana", "egg",    "bucket",  "cursor", "ghost",   "star",
     "ground",     "hill",      "tree",   "cloud",  "flower",  "plank",  "sphere",  "box",
     "cloth",      "spaceship", "table",  "statue", "bell",    "chair",  "castle",  "sun",
     "mercury",    "venus",     "earth",  "mars",   "jupiter", "saturn", "uranus",  "neptune",
     "lever",      "support",   "ring",   "bowl",   "walker",  "gem",    "handles", "cylinder",
-    "capsule",    "hand",      "orbit"};
+    "capsule",    "hand",      "kite",   "orbit"};
 
 /// A file of scripts/lib.
 struct LibraryModule {

@@ -90,6 +90,9 @@ ProgressData read(Database& database, const ProgressFilter& given) {
                  std::string(kSelectEnd) + " JOIN session ON session.id = session_end.session" +
                      kOfSession + " ORDER BY session_end.row",
                  filter, [&](Statement& row) { data.ends.push_back(end_of(row)); });
+    if (filter.results_only) {
+        return data;
+    }
     read_attempts(database, filter, data);
     for_each_row(database,
                  std::string(kSelectHandSetting) +

@@ -3,6 +3,7 @@
 #include "runtime/render/overlay/icons.h"
 #include "runtime/render/overlay/paper.h"
 #include "runtime/render/theme.h"
+#include "runtime/scene/lesson_limits.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +24,7 @@ constexpr float kPad = 18.0F;
 constexpr float kChosenFrame = 8.0F;
 constexpr float kCardRadius = 22.0F;
 constexpr float kTick = 24.0F;
+constexpr float kCardStar = 15.0F;   // radius
 constexpr float kSign = 20.0F;       // radius of the sign that there are more rows
 constexpr float kSignArrow = 11.0F;  // of the arrow on it
 
@@ -202,6 +204,13 @@ void draw_menu_words(const View& view, const MenuLayout& layout, const Measure& 
             card.icon.bottom() + 0.5F * (words_height(m) - title.height_px - subtitle.height_px);
         list.text(title, x, top, width, 0.5F, theme::kInk, theme::kInk);
         list.text(subtitle, x, top + title.height_px, width, 0.5F, theme::kSoftInk, theme::kInk);
+        for (int i = 0; item.stars >= 0 && i < kMostStars; ++i) {
+            draw_star_icon(
+                list,
+                {card.box.x + m.px(kPad + kCardStar * (1.0F + 2.2F * static_cast<float>(i))),
+                 card.box.y + m.px(kPad + kCardStar)},
+                m.px(kCardStar), i < item.stars);
+        }
         if (card.chosen) {
             draw_tick_icon(list, {card.box.right() - m.px(2.0F), card.box.y + m.px(2.0F)},
                            m.px(kTick));

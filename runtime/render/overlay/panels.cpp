@@ -134,8 +134,8 @@ float lay_out_bottom(const View& view, const Font& font, const Measure& m, Panel
             layout.input.words = set_words(font, m, text, {kSpokenText, 1e9F, 1});
         }
         stack(layout.input, width);
-        lay_out_choices(view, font, m, bottom, layout);
     }
+    lay_out_choices(view, font, m, bottom, layout);
     if (!view.caption.empty()) {
         layout.caption.words =
             set_words(font, m, read_emphasis(view.caption), {kSpokenText, word_width(m, 0.0F)});

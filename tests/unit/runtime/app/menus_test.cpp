@@ -1,6 +1,7 @@
 #include "runtime/app/choice_picture.h"
 #include "runtime/app/menu_screen.h"
 #include "runtime/app/typing.h"
+#include "tests/unit/runtime/progress/test_store.h"
 #include "tests/unit/runtime/rig.h"
 
 #include <stdexcept>
@@ -89,6 +90,46 @@ TEST_CASE("menu: a lesson that cannot be loaded says why when it is chosen") {
     CHECK(menu_view(cards, {}, words()).banner.empty());
     CHECK(menu_view(cards, {1, 0}, words()).banner == "lesson.lua:3: unexpected symbol.");
     CHECK(menu_view(cards, {1, 0}, words()).banner_is_error);
+}
+
+TEST_CASE("menu: a card shows the most stars with which the learner came to its end, else none") {
+    TestStore store;
+    const auto play = [&](const char* lesson, EndReason reason, std::int32_t stars) {
+        SessionRecord session;
+        session.id = random_record_id();
+        session.lesson = lesson;
+        REQUIRE(store.begin_session(session));
+        SessionEnd end;
+        end.session = session.id;
+        end.reason = reason;
+        end.stars = stars;
+        REQUIRE(store.end_session(end));
+    };
+    play("weights", EndReason::finished, 1);
+    play("weights", EndReason::finished, 2);
+    play("weights", EndReason::finished, 0);
+    play("kite", EndReason::left, 3);
+    CHECK(read_best_stars(store, "").empty());
+    const BestStars stars = read_best_stars(store, "Mina");
+    LessonCard weights = card("Weights");
+    weights.id = "weights";
+    LessonCard kite = card("Kite");
+    kite.id = "kite";
+    const View view = menu_view({weights, kite}, {}, words(), "Mina", stars);
+    CHECK(view.menu[0].stars == 2);
+    CHECK(view.menu[1].stars == -1);
+    CHECK(menu_view({weights}, {}, words()).menu[0].stars == -1);
+}
+
+TEST_CASE("menu: lessons that say where they stand come first, in that order") {
+    std::vector<LessonCard> cards{card("a"), card("b"), card("c"), card("d")};
+    cards[1].order = 7;
+    cards[3].order = 2;
+    put_in_order(cards);
+    CHECK(cards[0].title == "d");
+    CHECK(cards[1].title == "b");
+    CHECK(cards[2].title == "a");
+    CHECK(cards[3].title == "c");
 }
 
 TEST_CASE("menu: without lessons it says so") {

@@ -262,7 +262,7 @@ TEST_CASE("game: when the last try was wrong too, the right answer is told") {
 TEST_CASE("game: the space bar plays again, with no points") {
     Player player;
     player.start(game_text("print('round', round) game.point(round)"));
-    CHECK(wait_for<FinishCommand>(player).stars == 3);
+    CHECK(wait_for<CaptionCommand>(player).text == "Points: 1 of 1.");
     player.step({KeyEvent{"space"}});
     CHECK(wait_for<FinishCommand>(player).stars == 3);
     CHECK(player.prints == "round\t1;round\t2;");

@@ -185,6 +185,10 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
             std::string(32, 'e'), std::string(32, 'a'), "udp:arm:4701", "scale", "2", 9};
         CHECK(store->add_hand_setting(hand));
         CHECK(store->read({})->hands == std::vector{hand});
+        const auto results = value_of(store->read({"Mina", {}, true}));
+        CHECK(results.sessions.back() == session);
+        CHECK(results.attempts.empty());
+        CHECK(results.hands.empty());
     }
     CHECK(query(path, "PRAGMA user_version") == "7");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");

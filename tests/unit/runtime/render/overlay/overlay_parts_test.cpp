@@ -88,6 +88,16 @@ TEST_CASE("buttons: each has a sign of its own, and a pause shows how to go on")
     }
 }
 
+TEST_CASE("panels: choices stand without a line to type in, at the end of a lesson") {
+    View view = busy();
+    view.input_visible = false;
+    view.choices = {{"Play again", {}}, {"Back to the lessons", {}}};
+    const PanelLayout layout = laid_out(view);
+    REQUIRE(layout.choices.size() == 2);
+    CHECK(layout.input.box.width == 0.0F);
+    check_apart(layout.shown(), kMeasure);
+}
+
 TEST_CASE("panels: choices stand above the typed line, apart, each with room for its picture") {
     Font font = andika();
     View view = busy();
