@@ -10,7 +10,7 @@ local story = require "story"
 local wait, wait_with_help = story.wait, story.wait_with_help
 
 local L = lesson {
-  id = "textures", title = "What is it made of?", icon = "bell", order = 2, level = "A1", minutes = 12, free_english = true,
+  id = "textures", title = "What is it made of?", icon = "cloth", order = 2, level = "A1", minutes = 12, free_english = true,
   feedback = { "recast", "prompt", "replay", "rule" },   -- when an error comes again, the hand strokes the block once more
 }
 

@@ -141,6 +141,8 @@ local Force = {}
 ---@field title string what the list of lessons shows; of at most 200 letters
 ---@field level? string level of English: A1, A2, B1, B2, C1 or C2; of at most 16 letters; default A1
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
+---@field icon? string the model that its card shows; by default the first thing that can be held
+---@field order? integer where its card stands in the list of lessons; those without come last, by their names; 0 to 1000; default 0
 ---@field force_limit? number no force in this lesson is larger; this place and the device may allow less; in newtons, 0.5 to 10
 ---@field free_english? boolean what is said beside a question's answers is checked, and good English for it is shown; default false
 ---@field tries? integer after so many answers of wrong meaning a question is left, and the lesson goes on; after six that are not understood it is left as well; 1 to 20; default 4

@@ -22,7 +22,7 @@ until_true() {
 }
 said() { grep -qF -- "$1" "$folder/said"; }
 ended() { ! kill -0 "$child" 2>/dev/null; }
-# Cards are 275 wide and 28 apart, the first at 48, in a window of 1280 x 720 with four lessons.
+# Cards are 281 wide and 20 apart, the first at 48, in a window of 1280 x 720 with four lessons.
 click_at() { xdotool mousemove "$1" "$2" sleep 0.2 click 1; }
 
 # The first escape stops the arm, the second leaves.

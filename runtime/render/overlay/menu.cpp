@@ -14,17 +14,17 @@ namespace {
 
 // At 720.
 constexpr float kMenuMargin = 48.0F;
-constexpr float kCardGap = 28.0F;
-constexpr float kHeadlineRoom = 108.0F;
+constexpr float kCardGap = 20.0F;
+constexpr float kHeadlineRoom = 74.0F;
 constexpr float kTallestCard = 430.0F;
-constexpr float kLeastCardHeight = 215.0F;
+constexpr float kLeastCardHeight = 200.0F;
 constexpr float kWidestCard = 360.0F;
 constexpr float kLeastCardWidth = 250.0F;
 constexpr float kPad = 18.0F;
 constexpr float kChosenFrame = 8.0F;
 constexpr float kCardRadius = 22.0F;
 constexpr float kTick = 24.0F;
-constexpr float kCardStar = 15.0F;   // radius
+constexpr float kCardStar = 12.0F;   // radius
 constexpr float kSign = 20.0F;       // radius of the sign that there are more rows
 constexpr float kSignArrow = 11.0F;  // of the arrow on it
 

@@ -132,8 +132,6 @@ TEST_CASE("panels: choices stand above the typed line, apart, each with room for
             }
         }
     }
-    view.input_visible = false;
-    CHECK(lay_out_panels(view, font, Measure(1280, 720)).choices.empty());
 }
 
 TEST_CASE("panels: a hint is read from its first letter to its last, however short the line") {
