@@ -16,7 +16,7 @@ void LessonInput::begin(LessonRun* run) {
     choices_.clear();
     chosen_ = kTypingSpot;
     wants_choices_ = false;
-    end_choice_ = kAgain;
+    end_choice_ = EndChoice::again;
 }
 
 bool LessonInput::asked() const {
@@ -27,11 +27,16 @@ void LessonInput::take(WindowEvents events, bool failed, const PictureSize& size
     if (events.lost_focus && run_ != nullptr) {
         stop_.lose_focus(renders_force(run_->hands()), plays_);
     }
-    plays_ = plays_ || events.pointer_moved || !events.pressed.empty();
+    plays_ = plays_ || events.pointer_moved || !events.pressed.empty() ||
+             (run_ != nullptr && run_->gate() == GatePhase::open);
     take_pointer_keys(events, size, dt_s);
     for (const KeyPress& press : events.pressed) {
         if (press.text.empty()) {
+            const bool was_stopped = stop_.stopped();
             take_key(press, failed);
+            swallows_text_ = was_stopped && !stop_.stopped();
+        } else if (std::exchange(swallows_text_, false)) {
+            continue;  // of the key that went on
         } else if (!failed && !stop_.stopped() && types()) {
             typing_.add(press.text);
             chosen_ = kTypingSpot;
@@ -68,7 +73,7 @@ void LessonInput::take_playing_key(const KeyPress& press) {
     } else if (press.key == "p" && !types() && !press.repeat) {
         stop_.switch_pause();
     } else if (ended() && (press.key == "down" || press.key == "up")) {
-        end_choice_ = end_choice_ == kAgain ? kLeave : kAgain;
+        end_choice_ = end_choice_ == EndChoice::again ? EndChoice::leave : EndChoice::again;
     } else if (ended() && press.key == "return" && !press.repeat) {
         take_end_choice();
     } else if (press.key == "backspace") {
@@ -128,7 +133,7 @@ void LessonInput::give_answer() {
 
 // The space bar plays again, whoever presses it.
 void LessonInput::take_end_choice() {
-    if (end_choice_ == kLeave) {
+    if (end_choice_ == EndChoice::leave) {
         orders_.push_back(ScreenOrder::leave);
     } else {
         frame_.keys.emplace_back("space");
@@ -149,7 +154,8 @@ void LessonInput::choose(int step) {
 void LessonInput::pick(int spot, const std::string& said) {
     swallows_click_ = true;
     if (ended()) {
-        end_choice_ = spot;
+        end_choice_ =
+            spot == static_cast<int>(EndChoice::leave) ? EndChoice::leave : EndChoice::again;
         return take_end_choice();
     }
     if (spot == kTypingSpot) {
@@ -274,7 +280,7 @@ void LessonInput::show(View& view) const {
     for (const AnswerChoice& choice : choices_) {
         view.choices.push_back({choice.said, {}});
     }
-    view.chosen = ended() ? end_choice_ : chosen_;
+    view.chosen = ended() ? static_cast<int>(end_choice_) : chosen_;
 }
 
 }  // namespace fulcrum::runtime

@@ -66,7 +66,7 @@ class LessonInput {
     [[nodiscard]] bool ended() const {
         return run_ != nullptr && run_->session().result().finished;
     }
-    enum EndChoice : int { kAgain, kLeave };
+    enum class EndChoice : std::uint8_t { again, leave };  ///< in their order on the screen
     /// What is typed, and what may be chosen; without pictures.
     void show(View& view) const;
     [[nodiscard]] bool stopped() const { return stop_.stopped(); }
@@ -109,7 +109,8 @@ class LessonInput {
     KeyHand keys_;
     TypedLine typing_;
     bool asking_ = false;  // the learner has opened the line to ask something
-    bool plays_ = false;   // somebody has moved or pressed anything
+    bool swallows_text_ = false;
+    bool plays_ = false;  // somebody has moved or pressed anything
     FrameInput frame_{};
     double wheel_m_ = 0.0;
     Vector2 pointer_px_{Vector2::Zero()};
@@ -124,7 +125,7 @@ class LessonInput {
     std::vector<AnswerChoice> choices_;  // of the question asked at this time
     int chosen_ = kTypingSpot;
     bool wants_choices_ = false;
-    int end_choice_ = kAgain;
+    EndChoice end_choice_ = EndChoice::again;
     double asked_at_s_ = 0.0;
 };
 

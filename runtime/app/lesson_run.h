@@ -111,6 +111,12 @@ class LessonRun {
         return replayed != nullptr ? rounds_.replay_end_s(replayed->record(), plan().haptic.rate_hz)
                                    : std::nullopt;
     }
+    /// While no frame comes: a record goes on.
+    void keep_rounds() {
+        if (recorder_) {
+            recorder_->keep_rounds();
+        }
+    }
     /// Closes the record.
     [[nodiscard]] Expected<void> finish_record();
 

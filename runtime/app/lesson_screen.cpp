@@ -255,6 +255,9 @@ void LessonScreen::exchange() {
         fail_with(stood.error());
         return;
     }
+    if (pause_.stands()) {
+        run_->keep_rounds();
+    }
     if (!run_->process().waits_for_reply() && now_s >= next_frame_s_ && !pause_.stands()) {
         const auto sent =
             input_.take_frame(now_s, pause_.stood_s()).and_then([&](const FrameInput& input) {

@@ -50,6 +50,8 @@ class RunRecorder {
 
     /// Keeps what came in with a frame of the lesson.
     void keep_frame(const SessionInput& input);
+    /// While no frame comes: what the loops told goes into the file.
+    void keep_rounds() { drain(); }
     /// Keeps what the lesson made of it.
     void keep_output(double time_s, const SessionOutput& output, const SessionResult& result);
     /// Keeps that the lesson failed with this sentence.

@@ -27,8 +27,10 @@ void show(const ScreenTrouble& trouble, const dialogue::Catalogue& catalogue, Vi
         view.banner_is_error = true;
         view.caption = catalogue.say("banner.retry");
     } else if (trouble.is_paused) {
+        view.force.visible = false;
         view.banner = catalogue.say("hud.paused", {{"key", "P"}, {"leave", "Escape"}});
     } else if (trouble.is_stopped) {
+        view.force.visible = false;
         view.banner = catalogue.say("hud.emergency", {{"key", "Enter"}});
         view.banner_is_error = true;
     } else if (trouble.waited_s > kShortWait_s) {

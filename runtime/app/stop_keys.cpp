@@ -28,9 +28,9 @@ StopKey StopKeys::take(std::string_view key, bool repeat, const RunState& run) n
 }
 
 void StopKeys::switch_pause() noexcept {
-    if (stopped_) {
+    if (stopped_ && is_pause_) {
         lift();
-    } else {
+    } else if (!stopped_) {
         press(true);
     }
 }

@@ -30,7 +30,7 @@ class StopKeys {
     void watch(HapticChannels* channels) noexcept;
     /// A key that went down: "escape", "return" or any other.
     StopKey take(std::string_view key, bool repeat, const RunState& run) noexcept;
-    /// P, or the button on the screen: pauses, or goes on from pause and stop.
+    /// P, or the button on the screen: pauses, or goes on from a pause. A stop is lifted by its key alone.
     void switch_pause() noexcept;
     /// Nobody can press a key here any more: what somebody `plays` is paused. Where nobody has begun, an arm that renders forces is stopped,
     /// and the lesson goes on.

@@ -97,9 +97,11 @@ Expected<void> LessonSession::carry_out(const VerdictCommand& command, SessionOu
 
 Expected<void> LessonSession::carry_out(const TellCommand& command, SessionOutput&) {
     if (asked_for_ && asked_for_->knowledge == command.knowledge) {
-        tell(asked_for_->mark.said, gives_away(command.text)
-                                        ? knowledge_->first_mine()
-                                        : knowledge_->told(*asked_for_, command.text));
+        const std::string& said = asked_for_->mark.said;
+        tell(said, question() != nullptr && !dialogue_.wants_question() &&
+                           gives_away(*question(), said, command.text)
+                       ? knowledge_->first_mine()
+                       : knowledge_->told(*asked_for_, command.text));
         asked_for_.reset();
     }
     return {};
@@ -181,14 +183,6 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
 bool LessonSession::asks_instead(const std::string& words, double confidence) const {
     return dialogue_.listens() && !dialogue_.wants_question() && dialogue_.heard_well(confidence) &&
            asks_something(words) && !dialogue_.wants_help(words) && !dialogue_.understands(words);
-}
-
-// What would answer the question that is open is the learner's to say.
-bool LessonSession::gives_away(const std::string& told) const {
-    return dialogue_.is_open() &&
-           std::ranges::any_of(dialogue::sentences_of(told), [&](const std::string& sentence) {
-               return dialogue_.understands(sentence);
-           });
 }
 
 // The learner asks: true when these words are none of an answer. A question that is open stays open, unless it invites to ask.

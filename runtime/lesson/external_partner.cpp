@@ -85,7 +85,10 @@ ExternalPartner::Heard ExternalPartner::listen(const Pending& pending) {
     if (early_ && early_->turn == pending.turn) {
         return {std::exchange(early_, std::nullopt)->text, {}};
     }
-    for (int n = 0; n < kMostLines && !early_; ++n) {
+    const auto may_go_on = [&](int n) {
+        return settings_.waits ? monotonic_now_s() < pending.until_s : n < kMostLines;
+    };
+    for (int n = 0; may_go_on(n) && !early_; ++n) {
         const auto line = next_line(pending);
         if (!line) {
             break;

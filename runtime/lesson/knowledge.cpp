@@ -185,6 +185,31 @@ bool asks_something(std::string_view words) {
     return has_mark || has(kPeople, said[1]) || (has(kThings, said[1]) && !has(kBe, first));
 }
 
+bool gives_away(const dialogue::Question& question, std::string_view asked, std::string_view told) {
+    const std::string words =
+        dialogue::words_between_blanks(asked) + dialogue::words_between_blanks(told);
+    const std::string reply = dialogue::words_between_blanks(told);
+    const auto holds = [&](const std::string& word) {
+        return words.find(dialogue::words_between_blanks(word)) != std::string::npos;
+    };
+    const dialogue::TemplateSet& templates = *question.templates;
+    const bool names_a_choice = std::ranges::any_of(templates.slot_lists, [&](int list) {
+        return list >= 0 &&
+               std::ranges::any_of(templates.lists[static_cast<std::size_t>(list)].items,
+                                   [&](const dialogue::ListItem& item) {
+                                       return holds(item.value) ||
+                                              std::ranges::any_of(item.spoken,
+                                                                  [&](const dialogue::Noun& noun) {
+                                                                      return holds(noun.text);
+                                                                  });
+                                   });
+    });
+    return names_a_choice || reply.starts_with(" yes ") || reply.starts_with(" no ") ||
+           std::ranges::any_of(dialogue::sentences_of(told), [&](const std::string& sentence) {
+               return dialogue::mark_answer(question, sentence).understood;
+           });
+}
+
 Expected<std::optional<Knowledge>> Knowledge::compile(const LessonDescription& lesson,
                                                       const dialogue::Catalogue& catalogue) {
     if (lesson.knowledge.empty()) {

@@ -40,6 +40,11 @@ struct AskingSentence {
 /// which lacks its "it", nor "when the wind stops" nor "the apple?" are.
 [[nodiscard]] bool asks_something(std::string_view words);
 
+/// Whether to tell this to who `asked` while that question is open would answer it, or come near to it: it is one of its answers, it is yes
+/// or no, or one of the words from which an answer chooses stands in either.
+[[nodiscard]] bool gives_away(const dialogue::Question& question, std::string_view asked,
+                              std::string_view told);
+
 class Knowledge {
   public:
     /// Nothing for a lesson that knows nothing. The catalogue lives longer. All that it knows shares its lists: one name with two

@@ -82,7 +82,6 @@ class LessonSession {
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
     void hear(const dialogue::Hypothesis& heard);
     [[nodiscard]] bool ask_for(const std::string& words, const dialogue::Hypothesis& heard);
-    [[nodiscard]] bool gives_away(const std::string& told) const;
     [[nodiscard]] bool asks_instead(const std::string& words, double confidence) const;
     void take_question(AskedFor asked, double confidence);
     void tell(const std::string& said, const std::string& answer);

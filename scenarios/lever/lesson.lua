@@ -322,7 +322,7 @@ local function near_or_far(world)
   begin_level(world, 1)
   world:caption "This is a toy Earth. It weighs 2 newtons. Press the lever near the support."
   press(world, places.near, 2.5)
-  world:caption "That is hard. Now press far from the support."
+  world:caption "Near the support it is hard. Now press far from it."
   lift_for_a_point(world, places.far, "You lifted it! Keep pressing. Blue is the arm. Force times arm: that is the torque.")
   game.ask("near_far", {
     hint = "Press at both places. Where do you need less force?",

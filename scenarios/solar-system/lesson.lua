@@ -135,8 +135,7 @@ local function turn(world, place, at, degrees, explain)
     best_arm[place] = math.sqrt(at[1] ^ 2 + (at[3] - near[3]) ^ 2)   -- as a hand there would have had
     body:turn { spin = degrees }
     wait(2)
-  end
-  if explain then
+  elseif explain then
     world:caption(explain)
     story.wait_while(function() return is_pushed(world, body, at) end, 4)
   end

@@ -158,12 +158,17 @@ local function way(from, to)
   return { { from.x, from.y, edge }, { from.x, from.y, edge / 2 }, { from.x, from.y + up, edge / 2 }, { to.x, to.y + up, edge / 2 }, { to.x, to.y, edge / 2 } }
 end
 
+-- What a hand holds is never taken out of it.
+local function let_go(world, body)
+  repeat until wait_with_help(world, function() return body.where ~= "held" end, { hint = "Let go of the button." })
+end
+
 local function lift(world, body)
   local rest = height[body.name] / 2
   world:caption("Touch the " .. body.noun .. ", hold the button and lift it.")
   local done = wait_with_help(world, function() return body.where == "held" and body.y > rest + lifted end, {
     hint = "Go to the " .. body.noun .. " until you touch it. Hold the button, and go up.",
-    show = way(body, body),
+    show = function() return way(body, body) end,
   })
   if not done then
     game.miss()
@@ -173,24 +178,24 @@ local function lift(world, body)
   world:sound "pop"
   game.point()
   world:caption("Feel how heavy the " .. body.noun .. " is. Now put it down.")
-  wait_with_help(world, function() return body.where ~= "held" end, { hint = "Let go of the button." })
+  let_go(world, body)
   wait_until(function() return body.resting end, 5)
   world:caption ""
 end
 
 -- What has fallen out of reach or over comes back.
-local function tidy_up()
+local function tidy_up(world)
   for _, block in ipairs(blocks) do
+    let_go(world, bodies[block.name])
     bodies[block.name]:place { at = { block.x, block.size[2] / 2, 0 } }
   end
 end
 
 local function stack(world, top, bottom)
   world:caption("Put the " .. top.noun .. " on top of the " .. bottom.noun .. ".")
-  local on = { x = bottom.x, y = bottom.y + edge, z = bottom.z }
   local done = wait_with_help(world, function() return is_on(top, bottom) and top.where ~= "held" and top.resting end, {
-    hint = "Lift the " .. top.noun .. " above the " .. bottom.noun .. ", and let go.",
-    show = way(top, on), seconds = 90,
+    hint = "Hold the button on the " .. top.noun .. ". Lift it above the " .. bottom.noun .. ", and let go.",
+    show = function() return way(top, { x = bottom.x, y = bottom.y + edge, z = bottom.z }) end, seconds = 90,
   })
   if done then game.point() else game.miss() end
   world:caption ""
@@ -199,16 +204,17 @@ end
 
 function play(world)
   world:level(1, "Heavy and light")
-  tidy_up()
+  tidy_up(world)
   lift(world, bodies.wood)
   lift(world, bodies.metal)
   game.ask("heavier", { hint = "Which one pulls your hand down more?", solution = "The metal block is heavier." })
-  tidy_up()
+  tidy_up(world)
   game.ask("taller", { hint = "Which one goes up higher?", solution = "The stone block is the tallest." })
   game.ask("between", { hint = "One is on its left and one on its right.",
                         solution = "The stone block is between them." })
   world:level(2, "A tower")
   if not stack(world, bodies.wood, bodies.metal) then
+    tidy_up(world)
     bodies.wood:place { at = { bodies.metal.x, 1.5 * edge, 0 } }
     wait(1)
   end

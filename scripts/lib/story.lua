@@ -83,7 +83,7 @@ local function check_help(called, help)
   end
   for name, value in pairs(help) do
     if help_options[name] == nil then program.unknown(called, help_options, name) end
-    if type(value) ~= help_options[name] then
+    if type(value) ~= help_options[name] and not (name == "show" and type(value) == "function") then
       mistake(called .. "'s " .. name .. " is a " .. (help_options[name] == "string" and "text" or help_options[name])
         .. "; got " .. shown(value))
     end
@@ -102,7 +102,7 @@ end
 
 --- Waits until the learner has done something, and never for ever: after 20 seconds `hint` is said, after 40 the program's own hand
 --- goes along the places of `show` as the learner's should, and after 60 (or `seconds`) it gives false: then do it for the learner, or
---- go on without.
+--- go on without. Where things may have moved, `show` is a function that gives the places of now.
 ---
 ---   local done = story.wait_with_help(world, function() return ball.y > 0.3 end, {
 ---     hint = "Hold the button on the ball, and go up.",
@@ -128,7 +128,8 @@ function story.wait_with_help(world, test, help)
     end
     if not done and help.show and passed >= show_after then
       shows = true
-      world:show_hand { at = place_on_way(help.show, passed - show_after) }
+      local places = type(help.show) == "function" and help.show() or help.show
+      world:show_hand { at = place_on_way(places, passed - show_after) }
     end
   end
   if shows then world:hide_hand() end

@@ -77,6 +77,9 @@ Expected<TextLine> read_text_line(std::string_view line) {
         }
         at += character.bytes;
     }
+    if (read.text.find_first_not_of(' ') == std::string::npos) {
+        return fail("says nothing in its text");
+    }
     if (n > kLongestPartnerText) {
         return fail("says more than 400 characters");
     }

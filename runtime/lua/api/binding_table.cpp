@@ -33,7 +33,7 @@ void add_callbacks(ApiTable& table) {
         {"released", {{"body", "Body"}}, "The tool no longer touches a solid body."},
         {"key",
          {{"name", "string"}},
-         "A key was pressed: \"space\", \"return\", \"left\", a letter …"},
+         "A key was pressed: \"space\", \"return\", \"left\", a letter but p, which pauses …"},
         {"answered",
          {{"answer", "Answer"}},
          "The learner's answer has been marked and answered to."},

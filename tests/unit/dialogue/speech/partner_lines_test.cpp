@@ -62,6 +62,8 @@ TEST_CASE("partner's lines: what is no line, too long or in other letters is ref
     };
     CHECK(read(many(kLongestPartnerText, "é")).size() == 2 * kLongestPartnerText);
     CHECK(read(many(kLongestPartnerText + 1, "a")) == "says more than 400 characters");
+    CHECK(read("") == "says nothing in its text");
+    CHECK(read("  \\n ") == "says nothing in its text");
     CHECK(read("Да") == "says what is not in the letters of English");
     CHECK(read("好") == "says what is not in the letters of English");
     CHECK(read("🎉") == "says what is not in the letters of English");

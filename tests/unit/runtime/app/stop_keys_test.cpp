@@ -111,6 +111,7 @@ TEST_CASE(
     CHECK(keys.take("escape", false, kPlaying) == StopKey::press);
     CHECK_FALSE(keys.paused());
     CHECK(keys.take("p", false, kPlaying) == StopKey::nothing);
+    keys.switch_pause();
     CHECK(keys.stopped());
 }
 

@@ -1,5 +1,6 @@
 #include "runtime/lesson/knowledge.h"
 
+#include "runtime/lesson/questions.h"
 #include "tests/unit/runtime/rig.h"
 
 using namespace fulcrum::runtime::test;
@@ -40,6 +41,33 @@ TEST_CASE("knowledge: who asks for nothing is told another thing each time that 
     CHECK(second.starts_with("No. Ask: How heavy is "));
     CHECK(knowledge.unknown() == first);
     CHECK(knowledge.first_mine() == "First mine.");
+}
+
+TEST_CASE("knowledge: what would answer the open question, or comes near to it, is given away") {
+    LessonDescription lesson = planets();
+    QuestionDescription asked;
+    asked.id = "heavier";
+    asked.prompt = "Which block is heavier?";
+    asked.answers = {"[the] {thing} is heavier", "it is on top"};
+    asked.lists = {{"thing", {"wooden block|wood", "metal block"}}};
+    lesson.questions = {asked};
+    const auto questions = value_of(compile_questions(lesson));
+    const dialogue::Question& question = questions.begin()->second;
+    for (const auto& [words, told] : {std::pair{"is it heavy", "Yes, it is."},
+                                      {"is it light", "No, it isn't."},
+                                      {"how heavy is the metal block", "It weighs 3.4 newtons."},
+                                      {"what is this", "This is Wood, from a tree."},
+                                      {"where is it", "Look. It is on top."}}) {
+        CAPTURE(words, told);
+        CHECK(gives_away(question, words, told));
+    }
+    for (const auto& [words, told] :
+         {std::pair{"what is a newton", "It is as much as an apple weighs."},
+          {"what is this", "This is a woodpecker."},
+          {"how many are there", "There are three."}}) {
+        CAPTURE(words, told);
+        CHECK_FALSE(gives_away(question, words, told));
+    }
 }
 
 TEST_CASE("knowledge: every way to ask comes with each word of its lists, and asks for its own") {
