@@ -60,8 +60,8 @@ void LessonInput::take_key(const KeyPress& press, bool failed) {
     }
 }
 
-void LessonInput::take_playing_key(const KeyPress& press) {
-    const bool open = asked();
+// Of the screen, whatever is played; false for another.
+bool LessonInput::take_screen_key(const KeyPress& press) {
     if (press.key == "f11") {
         orders_.push_back(ScreenOrder::switch_fullscreen);
     } else if (press.key == "f2") {
@@ -72,7 +72,18 @@ void LessonInput::take_playing_key(const KeyPress& press) {
         switch_asking();
     } else if (press.key == "p" && !types() && !press.repeat) {
         stop_.switch_pause();
-    } else if (ended() && (press.key == "down" || press.key == "up")) {
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void LessonInput::take_playing_key(const KeyPress& press) {
+    const bool goes = press.key == "down" || press.key == "up";
+    if (take_screen_key(press)) {
+        return;
+    }
+    if (ended() && goes) {
         end_choice_ = end_choice_ == EndChoice::again ? EndChoice::leave : EndChoice::again;
     } else if (ended() && press.key == "return" && !press.repeat) {
         take_end_choice();
@@ -80,9 +91,9 @@ void LessonInput::take_playing_key(const KeyPress& press) {
         typing_.backspace();
     } else if (types() && press.key == "return") {
         give_answer();
-    } else if (open && (press.key == "down" || press.key == "up")) {
+    } else if (asked() && goes) {
         choose(press.key == "down" ? 1 : -1);
-    } else if (!press.repeat && !open && !asking_) {
+    } else if (!press.repeat && !asked() && !asking_) {
         frame_.keys.push_back(press.key);
     }
 }

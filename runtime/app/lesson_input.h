@@ -93,6 +93,7 @@ class LessonInput {
     [[nodiscard]] bool asked() const;
     [[nodiscard]] bool types() const { return asked() || asking_; }
     void take_key(const KeyPress& press, bool failed);
+    bool take_screen_key(const KeyPress& press);
     void take_playing_key(const KeyPress& press);
     void switch_asking();
     void give_answer();

@@ -33,7 +33,7 @@
 ---@field landed? fun(self: Lesson, body: Body, speed: number) A body hit the ground, at so many metres per second; a rigid one anything.
 ---@field touched? fun(self: Lesson, body: Body) The tool began to touch a solid body.
 ---@field released? fun(self: Lesson, body: Body) The tool no longer touches a solid body.
----@field key? fun(self: Lesson, name: string) A key was pressed: "space", "return", "left", a letter …
+---@field key? fun(self: Lesson, name: string) A key was pressed: "space", "return", "left", a letter but p, which pauses …
 ---@field answered? fun(self: Lesson, answer: Answer) The learner's answer has been marked and answered to.
 local Lesson = {}
 

@@ -7,6 +7,7 @@ namespace {
 
 std::vector<std::int32_t> bodies_of(const std::vector<SolidPlan>& solids) {
     std::vector<std::int32_t> bodies;
+    bodies.reserve(solids.size());
     for (const SolidPlan& solid : solids) {
         bodies.push_back(solid.body);
     }
@@ -24,8 +25,12 @@ class RunningFalling final : public RunningWorld {
         frames.world = newest.n_bodies > 0 ? &newest : nullptr;
     }
     EffectLoop loop() override { return {"world", rate_hz_, &loop_}; }
-    std::uint64_t n_events_dropped() const override { return channels().events.dropped(); }
-    std::uint64_t n_commands_ignored() const override { return loop_.world().ignored_commands(); }
+    [[nodiscard]] std::uint64_t n_events_dropped() const override {
+        return channels().events.dropped();
+    }
+    [[nodiscard]] std::uint64_t n_commands_ignored() const override {
+        return loop_.world().ignored_commands();
+    }
 
   private:
     double rate_hz_;

@@ -13,9 +13,8 @@ class RunningRigid final : public RunningWorld {
             rigid.push_back(hand->rigid);
         }
         rate_hz_ = plan.rate_hz;
-        return RigidLoop::create(plan, &channels(), rigid).map([&](auto&& loop) {
-            loop_ = std::move(loop);
-        });
+        return RigidLoop::create(plan, &channels(), rigid)
+            .map([&](std::unique_ptr<RigidLoop>&& loop) { loop_ = std::move(loop); });
     }
 
     // Bodies that are not rigid stand where they were declared.

@@ -8,6 +8,7 @@ namespace {
 // Each solid that can be heard has its tone.
 std::vector<TapTone> tones_of(const std::vector<SolidPlan>& solids) {
     std::vector<TapTone> tones;
+    tones.reserve(solids.size());
     for (const SolidPlan& solid : solids) {
         tones.push_back(solid.surface.audible ? tone_of(solid.surface.transient) : TapTone{});
     }

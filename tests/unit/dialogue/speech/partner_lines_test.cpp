@@ -36,7 +36,6 @@ TEST_CASE("partner's lines: a text is read as it can be shown") {
     CHECK(read("Well done, *great*!") == "Well done, *great*!");
     CHECK(read("Très bien — “yes”… 5 €") == "Très bien — “yes”… 5 €");
     CHECK(read("a\\u001b[31m\\u0000b\\u202ec\\u200bd\\ne\\u0085") == "a[31mbcd e");
-    CHECK(read("").empty());
     const auto whole = read_text_line(R"({"text":"Yes.","turn":12,"right":false,"more":[1]})");
     REQUIRE(whole);
     CHECK(whole->turn == 12);

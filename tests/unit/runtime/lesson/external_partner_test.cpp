@@ -153,8 +153,8 @@ TEST_CASE("partner: a flood does not hold a lesson up, and is not kept") {
 TEST_CASE("partner: a run that waits has its answer at the first look, whatever floods it") {
     const auto partner = value_of(
         ExternalPartner::create({.words = {"sh", "-c", "exec yes '{\"turn\":1,\"text\":\"a\"}'"},
-                                 .deadline_s = 0.3,
-                                 .waits = true}));
+                                 .waits = true,
+                                 .deadline_s = 0.3}));
     for (int turn = 1; turn <= 3; ++turn) {
         partner->take({}, {"own", {}});
         CHECK(value_of(partner->poll(0.0)).text == (turn == 1 ? "a" : "own"));
