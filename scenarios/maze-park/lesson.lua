@@ -191,21 +191,55 @@ local function led(tool)
   return #way <= farthest_lead and way[1] or nil
 end
 
+-- The way to the nearest gem, or to the gate once that is open.
+local function way_on(done)
+  local nearest = done >= asked and maze.way(garden, at, goal) or nil
+  for cell in pairs(gems) do
+    local way = done < asked and maze.way(garden, at, cell)
+    if way and (not nearest or #way < #nearest) then nearest = way end
+  end
+  return nearest or {}
+end
+
+local hint_after, show_after, walk_after = 20, 40, 60   -- seconds in which nobody walks
+
+-- Who does not walk is told how, then shown where to, and in the end taken along. Gives for how long nobody has walked, from then on.
+local function help(world, idle, done)
+  local direction = idle >= show_after and way_on(done)[1]
+  if idle >= hint_after and idle - 1 / 60 < hint_after then
+    world:caption "Press an arrow key. Or go with your hand from the walker along the path, slowly."
+  elseif direction and idle < walk_after then
+    local from, to = place_of(at), place_of(maze.beside(garden, at, direction))
+    local share = (idle - show_after) % 1.5 / 1.5
+    world:show_hand { at = { from[1] + share * (to[1] - from[1]), 0.05, from[3] + share * (to[3] - from[3]) } }
+  elseif direction then
+    world:hide_hand()
+    walk(direction)
+    return show_after
+  end
+  return idle
+end
+
 -- Lets the learner walk until there is a gem, or, once it is open, the gate.
 local function walk_on(world, done)
+  local idle = 0
   while not gems[at] and not (at == goal and done >= asked) do
     local key, from = heading, at
     heading = nil
-    if key then
-      walk(key)
+    local direction = not key and led(world:tool())
+    if key or direction then
+      if idle >= show_after then world:hide_hand() end
+      idle = 0
+      if key then walk(key) else step(direction) end
     else
-      local direction = led(world:tool())
-      if direction then step(direction) else wait(1 / 60) end
+      wait(1 / 60)
+      idle = help(world, idle + 1 / 60, done)
     end
     if at == goal and from ~= at and done < asked then
       world:caption("The gate is closed. Find " .. gems_left(done) .. ".")
     end
   end
+  if idle >= show_after then world:hide_hand() end
 end
 
 -- ---- dead ends --------------------------------------------------------------------------------------------------------

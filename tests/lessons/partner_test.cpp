@@ -109,10 +109,10 @@ TEST_CASE("partner: the example talks, and one that is not there is one sentence
         play(sandbox, "example", "--dialogue 'exec:sh " FULCRUM_EXAMPLES "/own-partner/talk.sh'");
     CHECK_FALSE(kept.notes.empty());
     check_lacks(kept.output, {"What another program was to say is missing", "Nobody else talks"});
-    check_run(sandbox.run("run textures --headless --seconds 20 --dialogue exec:no_such_program_7"),
-              0,
-              {"Nobody else talks any more: the program /bin/sh has ended; the program's own "
-               "words are said."});
+    check_run(
+        sandbox.run("run textures --headless --seconds 20 --dialogue exec:no_such_program_7"), 0,
+        {"Nobody else talks any more: the program no_such_program_7 has ended; the program's own "
+         "words are said."});
     check_run(sandbox.run("explain textures --dialogue none"), 0,
               {"partner", "nobody talks back to the learner"});
     check_lacks(sandbox.run("explain textures").output, {"partner"});

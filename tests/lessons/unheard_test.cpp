@@ -7,7 +7,7 @@ TEST_CASE("spoken: without what hears there is one sentence, and the lesson goes
     const ProgramRun run = sandbox.run("run gravity --headless --speech exec:no_such_program_5");
     CAPTURE(run.output);
     check_run(run, 0,
-              {"Nobody hears any more: the program /bin/sh has ended; type the answers.",
+              {"Nobody hears any more: the program no_such_program_5 has ended; type the answers.",
                "gravity: finished after"});
     check_run(sandbox.run("run gravity --headless --hear said.txt"), 2,
               {"--hear without somebody who hears"});
