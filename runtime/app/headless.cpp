@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdio>
 #include <thread>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
@@ -33,10 +34,13 @@ class VirtualClock {
           again_after_s_(settings.again_after_s),
           rate_hz_(run.plan().haptic.rate_hz),
           frame_rate_hz_(run.plan().haptic.lesson_rate_hz) {
+        for (const EffectLoop& loop : run_.effects().loops()) {
+            rounds_a_step_.push_back(std::max(std::lround(rate_hz_ / loop.rate_hz), 1L));
+        }
         if (deadlines_ != nullptr) {
             DeadlinePeriods periods{1.0 / rate_hz_, 1.0 / frame_rate_hz_, {}};
-            for (const EffectLoop& loop : run_.effects().loops()) {
-                periods.effects_s.push_back(static_cast<double>(rounds_a_step(loop)) / rate_hz_);
+            for (const long rounds : rounds_a_step_) {
+                periods.effects_s.push_back(static_cast<double>(rounds) / rate_hz_);
             }
             deadlines_->begin(std::move(periods));
         }
@@ -57,10 +61,9 @@ class VirtualClock {
         const bool effects_run = spoil();
         step_hands();
         find_contact();
-        const auto& effects = run_.effects().loops();
-        for (std::size_t i = 0; effects_run && i < effects.size(); ++i) {
-            if (tick_ % rounds_a_step(effects[i]) == 0) {
-                step_effect(effects[i]);
+        for (std::size_t i = 0; effects_run && i < rounds_a_step_.size(); ++i) {
+            if (is_due(i)) {
+                step_effect(run_.effects().loops()[i]);
             }
         }
         if (tape_ != nullptr) {
@@ -139,9 +142,8 @@ class VirtualClock {
         const double around_s = quiet_around_s();
         deadlines_->hands_stepped(now_s(), jumped_s, run_.haptic_loop().state(),
                                   arm != nullptr ? std::min(arm->quiet_s, around_s) : around_s);
-        const auto& effects = run_.effects().loops();
-        for (std::size_t i = 0; effects_run && i < effects.size(); ++i) {
-            if (tick_ % rounds_a_step(effects[i]) == 0) {
+        for (std::size_t i = 0; effects_run && i < rounds_a_step_.size(); ++i) {
+            if (is_due(i)) {
                 deadlines_->passed_effect(i, now_s(), around_s);
             }
         }
@@ -152,9 +154,8 @@ class VirtualClock {
             (void)beside->run_once();
         }
     }
-    // Of the hands; what is faster than they are has its round in each of theirs.
-    [[nodiscard]] long rounds_a_step(const EffectLoop& loop) const {
-        return std::max(std::lround(rate_hz_ / loop.rate_hz), 1L);
+    [[nodiscard]] bool is_due(std::size_t effect) const {
+        return tick_ % rounds_a_step_[effect] == 0;
     }
     void step_hands() {
         if (stages_ == nullptr) {
@@ -185,6 +186,8 @@ class VirtualClock {
     double jumped_s_ = 0.0;
     double rate_hz_;
     double frame_rate_hz_;
+    // By effect; what is faster than the hands has its round in each of theirs.
+    std::vector<long> rounds_a_step_;
     long tick_ = 0;
     long frame_ = 0;
 };

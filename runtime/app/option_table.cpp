@@ -1,6 +1,7 @@
 #include "runtime/app/option_table.h"
 
 #include "dialogue/result.h"
+#include "runtime/files/line_program.h"
 #include "runtime/lesson/learner_feedback.h"
 #include "runtime/scene/lesson_limits.h"
 
@@ -99,11 +100,16 @@ Expected<void> set_format(Options& options, const OptionRow& row, const std::str
     return read_choice(row, value).map([&](std::size_t) { options.format = value; });
 }
 
-Expected<void> set_speech(Options& options, const OptionRow& row, const std::string& value) {
+// What stands behind "exec:"; empty where the value is none such.
+std::string command_in(const std::string& value) {
     constexpr std::string_view kExec = "exec:";
-    if (value.starts_with(kExec) && value.size() > kExec.size()) {
+    return value.starts_with(kExec) ? value.substr(kExec.size()) : std::string();
+}
+
+Expected<void> set_speech(Options& options, const OptionRow& row, const std::string& value) {
+    if (std::string command = command_in(value); !command.empty()) {
         options.speech = SpeechInput::external;
-        options.hearing = value.substr(kExec.size());
+        options.hearing = std::move(command);
         return {};
     }
     for (const SpeechInput input : {SpeechInput::text, SpeechInput::sphinx}) {
@@ -116,12 +122,11 @@ Expected<void> set_speech(Options& options, const OptionRow& row, const std::str
 }
 
 Expected<void> set_dialogue(Options& options, const OptionRow& row, const std::string& value) {
-    constexpr std::string_view kExec = "exec:";
     PartnerOrder& partner = options.partner;
     partner = {.is_given = true};
-    if (value.starts_with(kExec) && value.size() > kExec.size()) {
+    if (const std::string command = command_in(value); !command.empty()) {
         partner.kind = PartnerKind::external;
-        partner.words = {"/bin/sh", "-c", value.substr(kExec.size())};
+        partner.words = shell_line(command);
     } else if (value == name_of(PartnerKind::none)) {
         partner.kind = PartnerKind::none;
     } else if (value != name_of(PartnerKind::shipped)) {

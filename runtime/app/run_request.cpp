@@ -4,6 +4,7 @@
 #include "haptics/record/record_reader.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/speech/speech_parts.h"
+#include "runtime/files/line_program.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/lesson/talk.h"
 #include "runtime/progress/store.h"
@@ -115,7 +116,7 @@ Expected<void> choose_hearing(const Places& places, const Options& options, RunR
     hearing.sureness = options.sureness;
     hearing.gives_up = interrupted;
     if (options.speech == SpeechInput::external) {
-        hearing.words = {"/bin/sh", "-c", options.hearing};
+        hearing.words = shell_line(options.hearing);
     } else {
         hearing.words = {(places.helpers / kSphinxHelper).string()};
         hearing.takes_throat = true;

@@ -14,13 +14,17 @@
 
 namespace fulcrum::runtime {
 
+std::vector<std::string> shell_line(const std::string& line) {
+    return {"/bin/sh", "-c", line};
+}
+
 Expected<std::unique_ptr<LineProgram>> LineProgram::start(const std::vector<std::string>& words) {
     if (words.empty() || words.front().empty()) {
         return fail("no program is named", {}, "name one");
     }
     // Whoever wrote a line for the shell knows it by that.
-    const bool is_shell_line = words.size() == 3 && words[0] == "/bin/sh" && words[1] == "-c";
-    std::unique_ptr<LineProgram> made(new LineProgram(is_shell_line ? words[2] : words.front()));
+    std::unique_ptr<LineProgram> made(
+        new LineProgram(words == shell_line(words.back()) ? words.back() : words.front()));
     std::array<int, 2> ends{};
     int error = socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0 ? 0 : errno;
     if (error == 0) {

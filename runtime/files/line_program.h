@@ -20,6 +20,9 @@
 
 namespace fulcrum::runtime {
 
+/// The words that run a user's own line in a shell.
+[[nodiscard]] std::vector<std::string> shell_line(const std::string& line);
+
 class LineProgram {
   public:
     /// `words` as for StartedProgram. An error when the system cannot start it.

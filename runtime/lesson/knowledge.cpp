@@ -186,9 +186,8 @@ bool asks_something(std::string_view words) {
 }
 
 bool gives_away(const dialogue::Question& question, std::string_view asked, std::string_view told) {
-    const std::string words =
-        dialogue::words_between_blanks(asked) + dialogue::words_between_blanks(told);
     const std::string reply = dialogue::words_between_blanks(told);
+    const std::string words = dialogue::words_between_blanks(asked) + reply;
     const auto holds = [&](const std::string& word) {
         return words.find(dialogue::words_between_blanks(word)) != std::string::npos;
     };

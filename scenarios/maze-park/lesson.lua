@@ -201,45 +201,30 @@ local function way_on(done)
   return nearest or {}
 end
 
-local hint_after, show_after, walk_after = 20, 40, 60   -- seconds in which nobody walks
-
--- Who does not walk is told how, then shown where to, and in the end taken along. Gives for how long nobody has walked, from then on.
-local function help(world, idle, done)
-  local direction = idle >= show_after and way_on(done)[1]
-  if idle >= hint_after and idle - 1 / 60 < hint_after then
-    world:caption "Press an arrow key. Or go with your hand from the walker along the path, slowly."
-  elseif direction and idle < walk_after then
-    local from, to = place_of(at), place_of(maze.beside(garden, at, direction))
-    local share = (idle - show_after) % 1.5 / 1.5
-    world:show_hand { at = { from[1] + share * (to[1] - from[1]), 0.05, from[3] + share * (to[3] - from[3]) } }
-  elseif direction then
-    world:hide_hand()
-    walk(direction)
-    return show_after
-  end
-  return idle
-end
-
 -- Lets the learner walk until there is a gem, or, once it is open, the gate.
 local function walk_on(world, done)
-  local idle = 0
+  local taken_on = false
   while not gems[at] and not (at == goal and done >= asked) do
-    local key, from = heading, at
+    local from, leads = at, nil
+    local goes = story.wait_with_help(world, function()
+      leads = not heading and led(world:tool())
+      return heading or leads
+    end, {
+      hint = "Press an arrow key. Or go with your hand from the walker along the path, slowly.", again = taken_on,
+      show = function()
+        local to = maze.beside(garden, at, way_on(done)[1])
+        local here, there = place_of(at), place_of(to)
+        return { { here[1], 0.05, here[3] }, { there[1], 0.05, there[3] } }
+      end,
+    })
+    local key = heading
     heading = nil
-    local direction = not key and led(world:tool())
-    if key or direction then
-      if idle >= show_after then world:hide_hand() end
-      idle = 0
-      if key then walk(key) else step(direction) end
-    else
-      wait(1 / 60)
-      idle = help(world, idle + 1 / 60, done)
-    end
+    if not goes then walk(way_on(done)[1]) elseif key then walk(key) else step(leads) end
+    taken_on = not goes
     if at == goal and from ~= at and done < asked then
       world:caption("The gate is closed. Find " .. gems_left(done) .. ".")
     end
   end
-  if idle >= show_after then world:hide_hand() end
 end
 
 -- ---- dead ends --------------------------------------------------------------------------------------------------------

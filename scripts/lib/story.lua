@@ -73,7 +73,7 @@ function story.wait_until(test, seconds)
   return true
 end
 
-local help_options = { hint = "string", show = "table", seconds = "number" }
+local help_options = { hint = "string", show = "table", seconds = "number", again = "boolean" }
 local hint_after, show_after, left_after = 20, 40, 60   -- seconds, of which the learner has nothing to do with the lesson's own waiting
 local way_seconds, stay_seconds = 1.2, 0.6              -- from one place to the next, and there
 
@@ -103,6 +103,7 @@ end
 --- Waits until the learner has done something, and never for ever: after 20 seconds `hint` is said, after 40 the program's own hand
 --- goes along the places of `show` as the learner's should, and after 60 (or `seconds`) it gives false: then do it for the learner, or
 --- go on without. Where things may have moved, `show` is a function that gives the places of now.
+--- Who was helped just before (`again`) is shown at once.
 ---
 ---   local done = story.wait_with_help(world, function() return ball.y > 0.3 end, {
 ---     hint = "Hold the button on the ball, and go up.",
@@ -116,7 +117,7 @@ function story.wait_with_help(world, test, help)
   if type(world) ~= "userdata" then mistake("story.wait_with_help takes the world first; got " .. shown(world)) end
   check_test("story.wait_with_help", test)
   check_help("story.wait_with_help", help)
-  local passed, hinted, shows = 0, false, false
+  local passed, hinted, shows = help.again and show_after or 0, help.again, false
   local last = help.seconds or left_after
   local done = test()
   while not done and passed < last do
