@@ -129,6 +129,13 @@ std::string Catalogue::say(std::string_view key, const CatalogueSlots& slots) co
     return result ? std::move(*result) : "[" + std::string(key) + "]";
 }
 
+std::string Catalogue::say_counted(std::string_view key, long count,
+                                   const CatalogueSlots& slots) const {
+    const auto plurals = texts_.find("language.plurals");
+    const bool has_one = plurals != texts_.end() && plurals->second.starts_with("one ");
+    return say(std::string(key) + (has_one && count == 1 ? ".one" : ".other"), slots);
+}
+
 std::vector<std::string> Catalogue::series(std::string_view prefix) const {
     std::vector<std::string> result;
     while (true) {

@@ -43,6 +43,16 @@ class Catalogue {
     /// As `text`, for the running program: what is missing is shown as its key, "[menu.start]", rather than not at all.
     [[nodiscard]] std::string say(std::string_view key, const CatalogueSlots& slots = {}) const;
 
+    /// The text for so many things: of `key`.one where the language has a form for one (language.plurals: one other), else of
+    /// `key`.other.
+    [[nodiscard]] std::string say_counted(std::string_view key, long count,
+                                          const CatalogueSlots& slots = {}) const;
+
+    /// Takes over what only the other has.
+    void fill_from(const Catalogue& other) {
+        texts_.insert(other.texts_.begin(), other.texts_.end());
+    }
+
     /// True when there is such a key.
     [[nodiscard]] bool has(std::string_view key) const { return texts_.find(key) != texts_.end(); }
 

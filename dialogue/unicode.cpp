@@ -93,6 +93,10 @@ char32_t small_letter(char32_t code) noexcept {
     return static_cast<char32_t>(utf8proc_tolower(static_cast<utf8proc_int32_t>(code)));
 }
 
+char32_t capital_letter(char32_t code) noexcept {
+    return static_cast<char32_t>(utf8proc_toupper(static_cast<utf8proc_int32_t>(code)));
+}
+
 int columns_of(char32_t code) noexcept {
     return utf8proc_charwidth(static_cast<utf8proc_int32_t>(code));
 }

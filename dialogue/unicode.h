@@ -50,6 +50,8 @@ void append_folded(std::string& word, char32_t code);
 
 /// The small letter of a capital one by one, else `code` itself.
 [[nodiscard]] char32_t small_letter(char32_t code) noexcept;
+/// And the other way round.
+[[nodiscard]] char32_t capital_letter(char32_t code) noexcept;
 
 /// Columns that a terminal draws it in: 2 for East Asian wide characters and pictures, 0 for combining marks, else 1.
 [[nodiscard]] int columns_of(char32_t code) noexcept;

@@ -1,9 +1,11 @@
-// A hand in a glove that points: the program's own, which shows what to do.
+// Hands in gloves that point: the pupil's, and the program's own, which shows what to do.
 #include "assets/make/models.h"
 #include "assets/make/parts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 
 namespace fulcrum::assets {
 namespace {
@@ -25,10 +27,9 @@ MeshPart make_finger(const Vector3& tip, const Vector3& bend, const Vector3& roo
     return outward(tessellate(tube(along, radius), 10, 12));
 }
 
-}  // namespace
-
-// The first finger's tip is the origin; the hand is above it, tilted to the right and to the viewer.
-Model make_hand() {
+// A right hand: the first finger points up, its tip, round with a radius of 9.5 mm, is the origin, the thumb is on the right, and the others
+// are bent to the front.
+Model make_pointing_hand(const char* name, std::uint32_t glove_colour, std::uint32_t cuff_colour) {
     MeshPart glove = make_finger({0.0, 0.0, 0.0}, {0.0, 0.03, 0.0}, {0.006, 0.07, 0.006}, 0.0095);
     // The others are bent into the palm.
     for (const double x : {0.022, 0.038, 0.052}) {
@@ -39,19 +40,27 @@ Model make_hand() {
     MeshPart palm = outward(tessellate(ellipsoid(Vector3(0.036, 0.036, 0.018)), 20, 12));
     palm.transform(Affine::at({0.027, 0.088, 0.004}));
     glove.append(palm);
-    glove.colour = srgb(0xFFF6E3);
+    glove.colour = srgb(glove_colour);
     glove.roughness = 0.7;
     MeshPart cuff = outward(tessellate(ellipsoid(Vector3(0.031, 0.015, 0.022)), 24, 10));
     cuff.transform(Affine::at({0.027, 0.124, 0.004}));
-    cuff.colour = srgb(0x0072B2);
+    cuff.colour = srgb(cuff_colour);
     cuff.roughness = 0.6;
-    Model hand{"hand", {std::move(glove), std::move(cuff)}, {}};
-    Affine tilt;
-    tilt.rotate(AngleAxis(-0.45, Vector3::UnitZ()) * AngleAxis(0.35, Vector3::UnitX()));
-    for (MeshPart& part : hand.parts) {
-        part.transform(tilt);
-    }
-    return hand;
+    Affine up;
+    up.rotate(AngleAxis(std::numbers::pi, Vector3::UnitZ()));
+    glove.transform(up);
+    cuff.transform(up);
+    return {name, {std::move(glove), std::move(cuff)}, {}};
+}
+
+}  // namespace
+
+Model make_hand() {
+    return make_pointing_hand("hand", 0xFFF6E3, 0x0072B2);
+}
+
+Model make_cursor() {
+    return make_pointing_hand("cursor", 0xFF8400, 0xFFF6E3);
 }
 
 }  // namespace fulcrum::assets

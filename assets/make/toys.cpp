@@ -1,4 +1,4 @@
-// Cursor, ghost, star, plank, sphere, box, cylinder, capsule.
+// Ghost, star, plank, sphere, box, cylinder, capsule.
 #include "assets/make/models.h"
 #include "assets/make/noise.h"
 #include "assets/make/parts.h"
@@ -9,15 +9,7 @@
 namespace fulcrum::assets {
 namespace {
 
-constexpr double kCursorRadius_m = 0.02;
-
-/// A soft ball.
-std::vector<MeshPart> cursor_parts() {
-    MeshPart ball = outward(tessellate(ellipsoid(Vector3::Constant(kCursorRadius_m)), 72, 40));
-    ball.colour = srgb(0xE8743B);
-    ball.roughness = 0.4;
-    return {std::move(ball)};
-}
+constexpr double kGhostRadius_m = 0.02;
 
 /// Distance from the middle to the star's outline, at an angle from its top point: straight edges between points (R)
 /// and corners (R/2), r = R c sin b / (R sin a + c sin(b - a)); the points are rounded by keeping a off 0.
@@ -48,17 +40,12 @@ Model make_striped(const char* name, const std::function<Vector2(double v)>& pro
 
 }  // namespace
 
-Model make_cursor() {
-    return {"cursor", cursor_parts(), {}};
-}
-
 Model make_ghost() {
-    Model model{"ghost", cursor_parts(), {}};
-    for (MeshPart& part : model.parts) {
-        part.colour = blend(part.colour, srgb(0xDDE6F2), 0.6);
-        part.alpha = 0.40;
-    }
-    return model;
+    MeshPart ball = outward(tessellate(ellipsoid(Vector3::Constant(kGhostRadius_m)), 72, 40));
+    ball.colour = blend(srgb(0xE8743B), srgb(0xDDE6F2), 0.6);
+    ball.roughness = 0.4;
+    ball.alpha = 0.40;
+    return {"ghost", {std::move(ball)}, {}};
 }
 
 Model make_star() {

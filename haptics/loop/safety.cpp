@@ -156,7 +156,7 @@ double SafetyGate::find_most_Nm(double dt_s) const noexcept {
 
 bool SafetyGate::stays_rising(double dt_s) const noexcept {
     return phase_ == GatePhase::rising &&
-           (opened_at_rest_ ||
+           (opened_at_rest_ || !has_come_ ||
             rise_age_s_ + std::min(dt_s, kLongestStep_s) <= settings_.soft_start_s);
 }
 
@@ -236,8 +236,9 @@ void SafetyGate::judge(const Wrench& commanded, double dt_s, double hand_m_per_s
         return;
     }
     rise_age_s_ += dt_s;
-    // One that a resting hand has opened is open when the force has come, however long that takes.
-    if (phase_ == GatePhase::rising && rise_age_s_ > settings_.soft_start_s && !opened_at_rest_) {
+    // It is open when the force has come, however long that takes.
+    if (phase_ == GatePhase::rising && rise_age_s_ > settings_.soft_start_s && !opened_at_rest_ &&
+        has_come_) {
         phase_ = GatePhase::open;
     }
 }
@@ -271,9 +272,11 @@ void SafetyGate::follow(const Wrench& limited, double dt_s) noexcept {
         transient_N_ = ring(limited.force - base_D_.force, counted_s_);
         output_D_.force += transient_N_;
     }
-    const double left =
-        (base_D_.force - limited.force).norm() + (base_D_.torque - limited.torque).norm();
-    opened_at_rest_ = opened_at_rest_ && left > kArrived;
+    const double left_N = (base_D_.force - limited.force).norm();
+    const double left_Nm = (base_D_.torque - limited.torque).norm();
+    opened_at_rest_ = opened_at_rest_ && left_N + left_Nm > kArrived;
+    has_come_ = left_N <= settings_.engage_below_N &&
+                left_Nm <= settings_.engage_below_N * torque_per_force_m_;
 }
 
 // The last t was held for `dt_s`, whatever it was thought to be.

@@ -3,7 +3,8 @@
 //   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row: rising. So too, whatever is commanded, where
 //             the hand has rested below rest_speed for rest_s without a fault: a force that is there from the start comes in softly. Not
 //             after a hand that was too fast or given too much: what did that must become small first
-//   rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt: then open
+//   rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt and until what is commanded has come, but for
+//             engage_below: then open. So what came late in that time comes softly too, and not at once when it is over
 //   open      f = b + t: what lasts, b, goes towards what is commanded with |b_k - b_(k-1)| <= max_slew dt (rising has this part alone, and so
 //             has a torque); t is what is commanded less b, |t| <= max_transient, softly less as I or Q come near their bounds:
 //             I <- I (1 - dt / kImpulseMemory_s) + t dt      |I| <= transient_Ns
@@ -147,6 +148,7 @@ class SafetyGate {
     double rested_s_ = 0.0;
     bool rest_counts_ = true;      // a hand that rests opens it
     bool opened_at_rest_ = false;  // so what is commanded may be large
+    bool has_come_ = true;         // in the last call: what was commanded, but for engage_below
 };
 
 }  // namespace fulcrum

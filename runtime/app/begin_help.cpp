@@ -1,15 +1,17 @@
 #include "runtime/app/begin_help.h"
 
+#include "runtime/app/key_hand.h"
+
 namespace fulcrum::runtime {
 namespace {
 
 // The catalogue's key, in the words of what is held.
 const char* find_way_to_move(const BeginHelp& help) noexcept {
     if (help.has_keys && help.has_mouse) {
-        return help.left_handed ? "hud.left_two_hands_help" : "hud.two_hands_help";
+        return "hud.two_hands_help";
     }
     if (help.has_keys) {
-        return help.left_handed ? "hud.left_keys_help" : "hud.keys_help";
+        return "hud.keys_help";
     }
     if (help.has_cap || help.has_stick) {
         return help.has_cap ? "hud.cap_help" : "hud.stick_help";
@@ -17,7 +19,7 @@ const char* find_way_to_move(const BeginHelp& help) noexcept {
     if (help.has_reel) {
         return "hud.reel_help";
     }
-    return help.left_handed ? "hud.left_mouse_help" : "hud.mouse_help";
+    return "hud.mouse_help";
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ BeginHelp find_begin_help(const LessonRun& run, const RunRequest& request) {
     help.has_cap = is_cap;
     help.has_stick = is_hid && !is_cap;
     help.has_reel = run.plan().kite.has_value();
-    help.left_handed = run.left_handed();
+    help.keys = list_hand_keys(run.left_handed());
     help.may_ask = run.session().hud().may_ask;
     help.tells_why = run.why().is_there();
     for (std::size_t hand = 0; hand < run.hands().size(); ++hand) {
@@ -42,15 +44,20 @@ BeginHelp find_begin_help(const LessonRun& run, const RunRequest& request) {
     return help;
 }
 
-std::vector<ScreenButton> find_buttons(const LessonRun& run) {
+std::vector<ScreenButton> find_buttons(const LessonRun& run, bool paused) {
     std::vector<ScreenButton> buttons;
+    // Left of all others, which stay in their places: a second click goes on.
+    if (paused) {
+        buttons.push_back(ScreenButton::leave);
+    }
     if (run.session().hud().knows) {
         buttons.push_back(ScreenButton::ask);
     }
     if (run.why().is_there()) {
         buttons.push_back(ScreenButton::why);
     }
-    buttons.insert(buttons.end(), {ScreenButton::say_again, ScreenButton::pause});
+    buttons.insert(buttons.end(),
+                   {ScreenButton::say_again, ScreenButton::settings, ScreenButton::pause});
     return buttons;
 }
 
@@ -60,7 +67,7 @@ std::string say_begin_help(const BeginHelp& help, const dialogue::Catalogue& cat
         text += (text.empty() ? "" : " ") + sentence;
     };
     if (help.has_mouse || help.has_keys || help.has_cap || help.has_stick) {
-        add(catalogue.say(find_way_to_move(help)));
+        add(catalogue.say(find_way_to_move(help), {{"keys", help.keys}}));
         if (help.may_ask) {
             add(catalogue.say("hud.ask_help", {{"key", "Tab"}}));
         }

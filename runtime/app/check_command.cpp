@@ -1,6 +1,7 @@
 // fulcrum check: what is wrong with a lesson, found without a window and without a hand.
 #include "haptics/collision/self_intersection.h"
 #include "runtime/app/felt_notes.h"
+#include "runtime/app/glosses.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/kept_check.h"
@@ -14,6 +15,7 @@
 #include "runtime/lesson/question_notes.h"
 #include "runtime/scene/picture/grey_picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <ctime>
@@ -114,6 +116,11 @@ std::vector<std::string> notes_before_play(const Installation& installation, con
     add_mesh_notes(installation.places, folder, lesson, notes);
     add_picture_notes(lesson, folder, notes);
     add_place_notes(lesson, notes);
+    for (const Language language : kHomeLanguages) {
+        if (const auto words = read_lesson_words(folder, language); !words) {
+            notes.push_back(to_sentence(words.error()));
+        }
+    }
     NoteSources sources;
     for (const LessonSource& file : own_files) {
         sources.texts.push_back(file.text);
@@ -130,9 +137,36 @@ std::vector<std::string> notes_before_play(const Installation& installation, con
     return notes;
 }
 
+/// The words that a learner of the lesson's level is taken to know, and those that it names, teaches or asks for: nouns of things, lists
+/// of its questions and of what it knows. Nothing above A2, and of a room.
+std::optional<dialogue::CommonWords> common_words(const Places& places,
+                                                  const LessonDescription& lesson) {
+    std::ifstream file(places.words / "common.txt");
+    const std::string list{std::istreambuf_iterator<char>(file), {}};
+    if (list.empty() || lesson.is_room || (lesson.level != "A1" && lesson.level != "A2")) {
+        return std::nullopt;
+    }
+    dialogue::CommonWords common(list);
+    for (const BodyDescription& body : lesson.bodies) {
+        common.add(body.noun);
+    }
+    const auto add_lists = [&](const auto& asked) {
+        for (const auto& [name, words] : asked.lists) {
+            for (const std::string& word : words) {
+                common.add(word);
+            }
+        }
+    };
+    std::ranges::for_each(lesson.questions, add_lists);
+    std::ranges::for_each(lesson.knowledge, add_lists);
+    return common;
+}
+
 /// What a check has come to.
 struct Checked {
     std::string lesson;
+    std::string level{};
+    std::optional<dialogue::CommonWords> common{};  ///< nothing where no word is looked up
     std::size_t n_notes = 0;
     dialogue::FormCheck check{};  ///< empty where what it takes is not installed
     std::optional<ShownSentences> shown{};
@@ -154,6 +188,8 @@ int check_as_meant(const Installation& installation, LessonRun& run,
                    const std::filesystem::path& folder, bool is_quick, Checked& checked,
                    StageTeller& stages) {
     checked.lesson = run.description().id;
+    checked.level = run.description().level;
+    checked.common = common_words(installation.places, run.description());
     if (auto check = open_english_review(things_of(run.description())); check) {
         checked.check = std::move(*check);
     }
@@ -242,6 +278,10 @@ int check_anew(const Installation& installation, const Options& options, Checked
             });
     }
     stages.begin("English");
+    if (checked.common) {
+        checked.n_notes +=
+            checked.say_each(checked.shown->rare_words(*checked.common, checked.level));
+    }
     const ShownReview review = checked.shown->review(checked.check);
     checked.n_notes += checked.say_each(review.notes);
     if (!review.unread.empty()) {

@@ -1,4 +1,4 @@
-// The picture beside an answer that may be chosen.
+// The pictures beside answers that may be chosen: of what parts them.
 #pragma once
 
 #include "runtime/app/places.h"
@@ -12,26 +12,40 @@
 
 namespace fulcrum::runtime {
 
-/// The name of a model: that of the first thing of the scene that the answer names, else of the first word of its meaning that is
-/// called as a model beside the lesson or one of the program's own ("spaceship", "Jupiter"); empty for none.
-[[nodiscard]] std::string find_choice_picture(const AnswerChoice& choice,
+/// A model, and what it is made of.
+struct ChoicePicture {
+    std::string model;   ///< its name; empty: none
+    std::string look{};  ///< as a ViewBody's
+
+    [[nodiscard]] bool operator==(const ChoicePicture&) const = default;
+};
+
+/// Of a word that an answer says: the thing of the scene that is called so, else a model beside the lesson or one of the program's own
+/// ("spaceship", "Jupiter").
+[[nodiscard]] ChoicePicture find_word_picture(const std::string& word,
                                               const LessonDescription& lesson, const Places& places,
                                               const std::filesystem::path& lesson_folder);
+
+/// Of answers that are offered together: each shows the first word that not all of them say and that has a picture. Empty ones where one has
+/// none, or two have the same: a picture that does not part them says nothing.
+[[nodiscard]] std::vector<ChoicePicture> find_choice_pictures(
+    const std::vector<AnswerChoice>& choices, const LessonDescription& lesson, const Places& places,
+    const std::filesystem::path& lesson_folder);
 
 /// The pictures of the choices that are shown, found once for each question.
 class ChoicePictures {
   public:
-    /// True where the choices are others than the last time: then the models of `names` are to be loaded.
+    /// True where the choices are others than the last time: then the `models` are to be loaded.
     [[nodiscard]] bool look(const std::vector<AnswerChoice>& choices,
                             const LessonDescription& lesson, const Places& places,
                             const std::filesystem::path& lesson_folder);
-    /// Of the choices, in their order; empty for none.
-    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+    /// Their names.
+    [[nodiscard]] std::vector<std::string> models() const;
     void show(View& view) const;
 
   private:
-    std::vector<std::string> names_;
-    std::string said_;  // by the choices
+    std::vector<ChoicePicture> pictures_;  // in the choices' order
+    std::string said_;                     // by the choices
 };
 
 }  // namespace fulcrum::runtime

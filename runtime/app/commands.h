@@ -17,6 +17,7 @@ namespace fulcrum::runtime {
 [[nodiscard]] int explain_force_command(const Options& options);
 [[nodiscard]] int export_command(const Options& options);
 [[nodiscard]] int report_command(const Options& options);
+[[nodiscard]] int class_command(const Options& options);
 [[nodiscard]] int devices_command(const Options& options);
 [[nodiscard]] int arm_command(const Options& options);
 [[nodiscard]] int stop_command(const Options& options);

@@ -1,10 +1,12 @@
 #include "runtime/app/desktop.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/installation.h"
 #include "runtime/app/speech/speech_parts.h"
 #include "runtime/audio/open_sound_player.h"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -33,20 +35,26 @@ void leave_without_screen() noexcept {
 
 }  // namespace
 
-Expected<Desktop> Desktop::open(const Places& places, bool with_sound, const VoiceSettings& voice) {
+Expected<Desktop> Desktop::open(const Installation& installation, const Options& options) {
     Desktop desktop;
+    desktop.options = &options;
+    desktop.words = std::make_unique<HomeWords>(installation.places.words, installation.catalogue);
+    desktop.usual.set(SettingKind::language, static_cast<int>(find_system_language()));
     auto window = Window::create("Fulcrum", 1280, 720);
     if (!window) {
         return tl::unexpected(window.error());
     }
     desktop.window = std::move(*window);
     Window::on_lost_screen(leave_without_screen);
-    auto picture = PictureThread::start(places, *desktop.window);
+    auto picture = PictureThread::start(installation.places, *desktop.window);
     if (!picture) {
         return tl::unexpected(picture.error());
     }
     desktop.picture = std::move(*picture);
-    if (!with_sound) {
+    desktop.picture->set_level(options.picture);
+    desktop.voice_settings.kind = VoiceKind::none;
+    if (options.mute) {
+        desktop.use(desktop.usual);
         return desktop;
     }
     auto sound = open_sound_player({});
@@ -54,18 +62,69 @@ Expected<Desktop> Desktop::open(const Places& places, bool with_sound, const Voi
         return tl::unexpected(sound.error());
     }
     if (!sound->notice.empty()) {
-        std::fprintf(stderr, "%s\n", sound->notice.c_str());
+        runtime::say(sound->notice);
     }
     desktop.sound = std::move(sound->player);
-    if (voice.kind == VoiceKind::none || !desktop.sound->audible()) {
-        return desktop;
+    desktop.use(desktop.usual);
+    return desktop;
+}
+
+bool Desktop::may_set(SettingKind kind) const {
+    switch (kind) {
+        case SettingKind::sound:
+            return !options->mute;
+        case SettingKind::voice:
+            return !options->mute && !options->voice && !options->voice_speed;
+        case SettingKind::hand:
+            return !options->fit.left_handed;
+        case SettingKind::language:
+            return !options->language;
+        case SettingKind::text_size:
+        case SettingKind::contrast:
+        case SettingKind::motion:
+            break;
+    }
+    return true;
+}
+
+void Desktop::use(const ScreenSettings& chosen) {
+    settings = chosen;
+    picture->set_look({chosen.text_scale(), chosen.high_contrast()});
+    if (auto used = words->use(options->language.value_or(chosen.language())); !used) {
+        runtime::say(to_sentence(used.error()));
+        settings.set(SettingKind::language, static_cast<int>(words->language()));
+    }
+    if (!sound) {
+        return;
+    }
+    sound->set_volume(chosen.volume());
+    VoiceSettings wanted;
+    if (may_set(SettingKind::voice)) {
+        wanted = chosen.speaks() ? VoiceSettings{wanted.kind, chosen.voice_speed()}
+                                 : VoiceSettings{VoiceKind::none};
+    } else {
+        wanted = {options->voice.value_or(wanted.kind),
+                  options->voice_speed.value_or(wanted.speed)};
+    }
+    if (wanted == voice_settings) {
+        return;
+    }
+    hush();
+    voice.reset();
+    voice_settings = wanted;
+    if (wanted.kind == VoiceKind::none || !sound->audible()) {
+        return;
     }
     if (const auto why = why_no_voice()) {
-        std::fprintf(stderr, "%s\n", to_sentence(*why).c_str());
+        runtime::say(to_sentence(*why));
     } else {
-        desktop.voice = std::make_unique<SpokenVoice>(voice, *desktop.sound);
+        voice = std::make_unique<SpokenVoice>(wanted, *sound);
     }
-    return desktop;
+}
+
+std::string Desktop::keep_picture(const View& view, const std::string& file) const {
+    const auto kept = save_png(file, picture->show_and_read(view));
+    return kept ? std::string() : to_sentence(kept.error());
 }
 
 void Desktop::finish_frame() {
@@ -74,19 +133,23 @@ void Desktop::finish_frame() {
         std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
     }
     const double now_s = monotonic_now_s();
+    go_on_sounding(now_s - finished_s_);
+    finished_s_ = now_s;
+}
+
+void Desktop::go_on_sounding(double dt_s) {
     if (sound) {
-        sound->update(std::min(now_s - finished_s_, kLongestFrame_s));
+        sound->update(std::min(dt_s, kLongestFrame_s));
         if (const std::string notice = sound->take_notice(); !notice.empty()) {
-            std::fprintf(stderr, "%s\n", notice.c_str());
+            runtime::say(notice);
         }
     }
     if (voice) {
-        voice->step(now_s - finished_s_);
+        voice->step(dt_s);
         if (const std::string trouble = voice->take_trouble(); !trouble.empty()) {
             std::fprintf(stderr, "Nothing is said aloud: %s\n", trouble.c_str());
         }
     }
-    finished_s_ = now_s;
 }
 
 void Desktop::play(const std::vector<std::string>& names) {
@@ -113,6 +176,35 @@ void Desktop::say_again(const std::vector<std::string>& texts) {
         hush();
         say(texts);
     }
+}
+
+void Desktop::read_aloud(const std::string& text, bool at_once) {
+    if (!text.empty() && !at_once && speaks()) {
+        return;
+    }
+    if (const auto said = focus_.look(text, monotonic_now_s())) {
+        say_again({*said});
+    }
+}
+
+void Desktop::read_aloud(const ViewMenuItem& card) {
+    const bool ends =
+        card.title.empty() || std::ispunct(static_cast<unsigned char>(card.title.back())) != 0;
+    const std::string text = card.title + (ends ? " " : ". ") + card.subtitle;
+    read_aloud(words->language() == Language::english ? text : std::string(), true);
+}
+
+void Desktop::read_choice(const View& view, int chosen, const Vector2& pointer_px) {
+    const bool by_keys = chosen >= 0;
+    if (view.choices.empty()) {
+        return read_aloud({}, false);
+    }
+    if (const auto spot = picture->spot_at(pointer_px.x(), pointer_px.y()); spot && !by_keys) {
+        chosen = spot->choice;
+    }
+    const bool is_one = chosen >= 0 && chosen < static_cast<int>(view.choices.size());
+    read_aloud(is_one ? view.choices[static_cast<std::size_t>(chosen)].said : std::string(),
+               by_keys);
 }
 
 void Desktop::hush() {

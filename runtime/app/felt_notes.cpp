@@ -1,5 +1,7 @@
 #include "runtime/app/felt_notes.h"
 
+#include "runtime/app/installation.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -51,7 +53,7 @@ std::vector<Error> notes_of_felt(std::span<const FeltTime> hands, const std::str
 
 void tell_felt(std::span<const FeltTime> hands, const std::string& where) {
     for (const Error& note : notes_of_felt(hands, where)) {
-        std::fprintf(stderr, "%s\n", to_sentence(note).c_str());
+        say(to_sentence(note));
     }
 }
 

@@ -1,4 +1,5 @@
 // The first use of an arm or a joystick as a learner sees it. See force_trial.h.
+#include "dialogue/unicode.h"
 #include "haptics/base/clock.h"
 #include "runtime/app/force_trial.h"
 #include "runtime/app/hand_trial.h"
@@ -6,7 +7,9 @@
 #include "runtime/app/stop_keys.h"
 #include "runtime/app/stop_signal.h"
 #include "runtime/app/typing.h"
+#include "runtime/scene/choice_columns.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -20,7 +23,7 @@ class TrialScreen {
                 bool is_second)
         : trial_(trial), desktop_(desktop), words_(words), is_second_(is_second) {
         stop_.watch(&trial.channels());
-        desktop_.say({words_.say(first_key())});
+        desktop_.say({spoken().say(first_key())});
     }
     ~TrialScreen() { stop_.watch(nullptr); }
     TrialScreen(const TrialScreen&) = delete;
@@ -85,10 +88,8 @@ class TrialScreen {
             left_ = TrialLeft::done;
         } else if (press.key == "return" && !press.repeat) {
             answer();
-        } else if ((press.key == "down" || press.key == "up") && !choices_.empty()) {
-            const auto n = static_cast<int>(choices_.size());
-            const int step = press.key == "down" ? 1 : -1;
-            chosen_ = chosen_ < 0 ? (step > 0 ? 0 : n - 1) : (chosen_ + step + n) % n;
+        } else if (is_choice_key(press.key) && !choices_.empty()) {
+            chosen_ = next_choice(chosen_, static_cast<int>(choices_.size()), press.key);
             typing_.clear();
         }
     }
@@ -98,9 +99,10 @@ class TrialScreen {
                                      ? choices_[static_cast<std::size_t>(chosen_)]
                                      : typing_.text();
         const bool is_asked = trial_.trial().question() != FirstUseQuestion::none;
-        is_unclear_ = is_asked && !trial_.trial().answer(said);
+        const std::string meant = in_english(said);
+        is_unclear_ = is_asked && !trial_.trial().answer(meant);
         if (is_asked && !is_unclear_) {
-            std::printf("  %s\n", said.c_str());
+            std::printf("  %s\n", meant.c_str());
             (void)std::fflush(stdout);
         }
         typing_.clear();
@@ -111,7 +113,7 @@ class TrialScreen {
     void tell_end() {
         if (is_over() && !has_told_end_) {
             has_told_end_ = true;
-            if (const std::string words = end_words(); !words.empty()) {
+            if (const std::string words = end_words(spoken()); !words.empty()) {
                 desktop_.say({words});
             }
         }
@@ -129,12 +131,19 @@ class TrialScreen {
             for (const std::string& choice : words_.series(key())) {
                 choices_.push_back(words_.say(choice));
             }
-            desktop_.say({words_.say(key())});
-            std::printf("%s\n", words_.say(key()).c_str());
+            desktop_.say({spoken().say(key())});
+            std::printf("%s\n", spoken().say(key()).c_str());
             (void)std::fflush(stdout);
         }
     }
 
+    [[nodiscard]] const dialogue::Catalogue& spoken() const { return desktop_.words->english(); }
+    // Of the choice that was typed or chosen in the window's language; else as it is.
+    [[nodiscard]] std::string in_english(const std::string& said) const {
+        const auto choice = std::ranges::find(choices_, dialogue::folded(said), dialogue::folded);
+        const auto place = static_cast<std::size_t>(choice - choices_.begin());
+        return choice == choices_.end() ? said : spoken().say(words_.series(key()).at(place));
+    }
     // In the words of what is held.
     [[nodiscard]] const char* of_device(const char* arm, const char* stick) const {
         return trial_.trial().tried().is_stick ? stick : arm;
@@ -152,15 +161,15 @@ class TrialScreen {
     [[nodiscard]] bool is_over() const { return trial_.trial().end() != FirstUseEnd::running; }
 
     // Empty while it runs, and after a good one.
-    [[nodiscard]] std::string end_words() const {
+    [[nodiscard]] std::string end_words(const dialogue::Catalogue& catalogue) const {
         const FirstUseEnd end = trial_.trial().end();
         if (end == FirstUseEnd::running || end == FirstUseEnd::good) {
             return {};
         }
-        return words_.say(end == FirstUseEnd::unfelt
-                              ? of_device("first_use.unfelt", "first_use.stick_unfelt")
-                              : of_device("first_use.off", "first_use.stick_off"),
-                          {{"key", "Enter"}});
+        return catalogue.say(end == FirstUseEnd::unfelt
+                                 ? of_device("first_use.unfelt", "first_use.stick_unfelt")
+                                 : of_device("first_use.off", "first_use.stick_off"),
+                             {{"key", "Enter"}});
     }
 
     [[nodiscard]] View compose() const {
@@ -177,7 +186,7 @@ class TrialScreen {
         if (stop_.stopped()) {
             view.banner = words_.say("hud.emergency", {{"key", "Enter"}});
             view.banner_is_error = true;
-        } else if (const std::string words = end_words(); !words.empty()) {
+        } else if (const std::string words = end_words(words_); !words.empty()) {
             view.banner = words;
             view.banner_is_error = true;
         }

@@ -24,10 +24,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-// With a mouse, weight is seen: 5 N hang 2 cm lower in the device's frame and follow half as fast.
-constexpr double kMouseSag_m_per_N = 0.004;
-constexpr double kMouseSlow_per_N = 0.2;
-
 constexpr double kGreeting_s = 3.0;
 constexpr double kMeasured_s = 0.1;
 
@@ -106,7 +102,7 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
     if (hand->hid_ == nullptr || !mouse_is_free(request)) {
         return hand;
     }
-    return hand->make_pointer().map([&](std::unique_ptr<PointerDevice>&& pointer) {
+    return hand->make_pointer(request.yield).map([&](std::unique_ptr<PointerDevice>&& pointer) {
         auto stand_in =
             std::make_unique<StandInDevice>(std::move(hand->device_), std::move(pointer));
         hand->stand_in_ = stand_in.get();
@@ -154,7 +150,7 @@ Expected<void> HandDevice::make(const RunRequest& request) {
         }
         case HandKind::mouse:
         case HandKind::keys:
-            return make_pointer().map([&](std::unique_ptr<PointerDevice>&& pointer) {
+            return make_pointer(request.yield).map([&](std::unique_ptr<PointerDevice>&& pointer) {
                 device_ = std::move(pointer);
                 pointer_target_.publish({});
             });
@@ -184,10 +180,8 @@ Expected<void> HandDevice::make(const RunRequest& request) {
     return fail("nobody moves this hand", {}, "give --hand a device");
 }
 
-Expected<std::unique_ptr<PointerDevice>> HandDevice::make_pointer() {
-    PointerSettings settings;
-    settings.sag_m_per_N = kMouseSag_m_per_N;
-    settings.slow_per_N = kMouseSlow_per_N;
+Expected<std::unique_ptr<PointerDevice>> HandDevice::make_pointer(double yield) {
+    PointerSettings settings = make_yielding(yield);
     settings.half_extent_D = Vector3::Constant(1.0 / std::max(workspace_.scale, 0.1));
     if (auto valid = validate(settings); !valid) {
         return tl::unexpected(valid.error());

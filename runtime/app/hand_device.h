@@ -106,7 +106,7 @@ class HandDevice {
     [[nodiscard]] Expected<void> link(const HandChoice& request);
     void spoil(const RunRequest& request);
     [[nodiscard]] double planned_link_s() const;
-    [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer();
+    [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer(double yield);
 
     HandKind kind_ = HandKind::none;
     Workspace workspace_;

@@ -1,5 +1,7 @@
 #include "runtime/app/hand_fitting.h"
 
+#include "runtime/app/installation.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -89,7 +91,7 @@ RunRequest with_kept_fit(const RunRequest& request, ProgressStore& store) {
     if (const auto learner = store.enrol(request.learner)) {
         const KeptFit kept = read_fit(store, *learner, name_device(request));
         for (const std::string& notice : kept.notices) {
-            std::fprintf(stderr, "%s\n", notice.c_str());
+            say(notice);
         }
         fitted.fit = join(request.fit, kept.fit);
     }

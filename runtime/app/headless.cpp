@@ -1,6 +1,7 @@
 #include "runtime/app/headless.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/installation.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/live_loops.h"
 #include "runtime/app/run_told.h"
@@ -11,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <thread>
 #include <vector>
 
@@ -176,7 +176,7 @@ class VirtualClock {
 
     LessonRun& run_;
     StageClock* stages_;
-    SimulatedDesk* desk_;
+    QuietDesk* desk_;
     RunSpoiler* spoiler_;
     DeadlineWatch* deadlines_;
     FeltWatch* felt_;
@@ -350,7 +350,7 @@ Expected<HeadlessOutcome> run_in_real_time(LessonRun& run, const HeadlessSetting
         input.time_s = now_s;
         const auto report = run.exchange_frame(input);
         if (const std::string notice = take_device_notice(run.hands()); !notice.empty()) {
-            std::fprintf(stderr, "%s\n", notice.c_str());
+            say(notice);
         }
         if (!report) {
             run.fail_softly(to_sentence(report.error()));

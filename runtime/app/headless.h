@@ -28,7 +28,7 @@ struct HeadlessSettings {
     /// Called after each frame with the run's time; for pictures on the way. May be empty.
     std::function<void(double)> after_frame;
     /// Who plays at a desk; null where the simulated hand is an arm.
-    SimulatedDesk* desk = nullptr;
+    QuietDesk* desk = nullptr;
     /// What breaks around the run; null for a plain one, which is the same to the byte.
     RunSpoiler* spoiler = nullptr;
     /// Watches that nobody is late under the virtual clock; null for a plain run, which is the same to the byte.

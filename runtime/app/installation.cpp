@@ -1,11 +1,10 @@
 #include "runtime/app/installation.h"
 
+#include "runtime/app/home_words.h"
 #include "runtime/app/interrupt.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -15,24 +14,25 @@ Expected<Installation> open_installation(double started_s) {
     if (!places) {
         return tl::unexpected(places.error());
     }
-    const std::filesystem::path words = places->words / "en.txt";
-    std::ifstream file(words);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) {
-        return fail("the program's words cannot be read", words.string(), "restore the file");
-    }
-    auto catalogue = dialogue::Catalogue::parse(text.str());
+    auto catalogue = read_words(places->words, Language::english);
     if (!catalogue) {
-        return fail(catalogue.error().message,
-                    words.string() + ":" + std::to_string(catalogue.error().line),
-                    "mend that line");
+        return tl::unexpected(catalogue.error());
     }
     return Installation{std::move(*places), std::move(*catalogue), started_s};
 }
 
+void say(const std::string& sentence) {
+    if (!sentence.empty()) {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
+}
+
+void say_all(const std::vector<std::string>& sentences) {
+    std::ranges::for_each(sentences, say);
+}
+
 int complain(const Error& error, int exit_code) {
-    std::fprintf(stderr, "%s\n", to_sentence(error).c_str());
+    say(to_sentence(error));
     return exit_code;
 }
 

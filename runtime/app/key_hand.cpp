@@ -9,6 +9,15 @@ void KeyHand::hold_by(bool left_handed) {
     release();
 }
 
+std::string list_hand_keys(bool left_handed) {
+    const KeyHand::Keys& keys = left_handed ? KeyHand::kOfRightHand : KeyHand::kOfLeftHand;
+    std::string list;
+    for (std::size_t way = 0; way < KeyHand::button; ++way) {
+        list += (way == 0 ? "" : ", ") + label_at(keys[way][0]);
+    }
+    return list;
+}
+
 void KeyHand::release() {
     held_ = {};
     speed_ = 0.0;
@@ -22,13 +31,13 @@ double KeyHand::step_px(const PictureSize& size, double dt_s) const {
 
 void KeyHand::take_keys(WindowEvents& events, bool types) {
     for (const KeyPress& press : events.pressed) {
-        const auto key = std::ranges::find(keys_, press.key);
+        const auto key = std::ranges::find(keys_, press.place.empty() ? press.key : press.place);
         if (key != keys_.end() && !press.repeat && !types && !press.control && !press.alt) {
             held_[static_cast<std::size_t>(key - keys_.begin())] = true;
         }
         events.wheel += press.key == "page_up" ? 1.0 : press.key == "page_down" ? -1.0 : 0.0;
     }
-    for (const std::string& name : events.released) {
+    for (const std::string& name : events.released_places) {
         const auto key = std::ranges::find(keys_, name);
         if (key != keys_.end()) {
             held_[static_cast<std::size_t>(key - keys_.begin())] = false;

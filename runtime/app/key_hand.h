@@ -1,6 +1,7 @@
 // Keys in the place of a mouse: what they hold down moves the pointer, and the rest of the program sees a pointer that moved.
 //
-//   w a s d              up, left, down, right: slowly at first, quicker the longer they are held
+//   w a s d              up, left, down, right: slowly at first, quicker the longer they are held; by their place on the keyboard,
+//                        whatever stands on them
 //   i j k l              the same, for who has the mouse in the left hand and the right one on the keys
 //   page up, page down   as the wheel
 //   shift                as the mouse's first button
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace fulcrum::runtime {
@@ -50,6 +52,7 @@ class KeyHand {
     static constexpr Keys kOfLeftHand{"w", "a", "s", "d", "shift"};
     static constexpr Keys kOfRightHand{"i", "j", "k", "l", "shift"};
 
+    friend std::string list_hand_keys(bool left_handed);
     void take_keys(WindowEvents& events, bool types);
 
     KeyHandSettings settings_;
@@ -58,5 +61,8 @@ class KeyHand {
     double speed_ = 0.0;  // heights a second; 0: at rest
     std::optional<Vector2> pointer_px_;
 };
+
+/// What stands on the keys that move, in the user's layout: "W, A, S, D".
+[[nodiscard]] std::string list_hand_keys(bool left_handed);
 
 }  // namespace fulcrum::runtime

@@ -3,6 +3,27 @@
 #include <algorithm>
 
 namespace fulcrum::runtime {
+namespace {
+
+// What the bodies that are there are called, and what they are made of.
+std::vector<std::string> things_in_sight(const LessonSession& session) {
+    const LessonDescription& lesson = session.description();
+    const std::vector<BodyState>& states = session.newest_frame().bodies;
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < std::min(states.size(), lesson.bodies.size()); ++i) {
+        const BodyDescription& body = lesson.bodies[i];
+        if (states[i].where == BodyWhere::hidden) {
+            continue;
+        }
+        words.push_back(body.noun);
+        if (body.material != kNoMaterial) {
+            words.push_back(lesson.materials[static_cast<std::size_t>(body.material)].felt.name);
+        }
+    }
+    return words;
+}
+
+}  // namespace
 
 Expected<LessonReply> LessonAside::ask(const LessonEvent& event) const {
     LessonFrame frame = session_.newest_frame();
@@ -41,9 +62,12 @@ Expected<std::vector<AnswerChoice>> LessonAside::make_choices() const {
     if (question == nullptr) {
         return std::vector<AnswerChoice>();
     }
-    return fulcrum::runtime::make_choices(*question, [&](const AnswerSlots& slots) {
-        return ask_verdict({question->id, slots});
-    });
+    return fulcrum::runtime::make_choices(
+        *question,
+        [&](const AnswerSlots& slots) {
+            return ask_verdict({question->id, slots});
+        },
+        things_in_sight(session_));
 }
 
 }  // namespace fulcrum::runtime

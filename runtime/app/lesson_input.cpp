@@ -1,15 +1,35 @@
 #include "runtime/app/lesson_input.h"
 
+#include "runtime/scene/choice_columns.h"
+
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace fulcrum::runtime {
+namespace {
+
+// By what stands on it, or, where no Latin letter does, by its place.
+bool is_pause_key(const KeyPress& press) {
+    constexpr unsigned char kFirstOther = 0x80;
+    const bool is_latin =
+        press.key.empty() || static_cast<unsigned char>(press.key[0]) < kFirstOther;
+    return (is_latin ? press.key : press.place) == "p";
+}
+
+// A bucket stands on the ground and goes no deeper, wherever the pointer is.
+double lowest_hand_m(const LessonDescription& lesson) {
+    return lesson.bucket.present ? lesson.ground_height_m + lesson.bucket.opening_radius_m
+                                 : -std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 void LessonInput::begin(LessonRun* run) {
     run_ = run;
     stop_.watch(run != nullptr ? &run->channels() : nullptr);
     typing_.clear();
-    asking_ = plays_ = false;
+    asking_ = plays_ = lies_aside_ = false;
     frame_ = {};
     keys_.hold_by(run != nullptr && run->left_handed());
     keys_began_px_.reset();
@@ -50,11 +70,13 @@ void LessonInput::take_key(const KeyPress& press, bool failed) {
     const RunState state{.failed = failed,
                          .finished = !failed && run_->session().result().finished,
                          .renders_force = run_ == nullptr || renders_force(run_->hands())};
-    const StopKey done = stop_.take(press.key, press.repeat, state);
+    const StopKey done = stop_.take(is_pause_key(press) ? "p" : press.key, press.repeat, state);
     if (done == StopKey::leave) {
         orders_.push_back(ScreenOrder::leave);
     } else if (failed && press.key == "return" && !press.repeat) {
         orders_.push_back(ScreenOrder::begin_again);
+    } else if (press.key == "f4" && !failed && !press.repeat) {
+        orders_.push_back(ScreenOrder::open_settings);
     } else if (done == StopKey::nothing && !failed && !stop_.stopped()) {
         take_playing_key(press);
     }
@@ -70,7 +92,7 @@ bool LessonInput::take_screen_key(const KeyPress& press) {
         orders_.push_back(ScreenOrder::switch_why);
     } else if (press.key == "tab") {
         switch_asking();
-    } else if (press.key == "p" && !types() && !press.repeat) {
+    } else if (is_pause_key(press) && !types() && !press.repeat) {
         stop_.switch_pause();
     } else {
         return false;
@@ -79,12 +101,16 @@ bool LessonInput::take_screen_key(const KeyPress& press) {
 }
 
 void LessonInput::take_playing_key(const KeyPress& press) {
-    const bool goes = press.key == "down" || press.key == "up";
     if (take_screen_key(press)) {
         return;
     }
+    const bool goes = is_choice_key(press.key);
     if (ended() && goes) {
-        end_choice_ = end_choice_ == EndChoice::again ? EndChoice::leave : EndChoice::again;
+        const auto choices = end_choices();
+        const auto at = std::ranges::find(choices, end_choice_) - choices.begin();
+        const auto n = static_cast<std::ptrdiff_t>(choices.size());
+        end_choice_ = choices[static_cast<std::size_t>(
+            (at + (press.key == "down" || press.key == "right" ? 1 : n - 1)) % n)];
     } else if (ended() && press.key == "return" && !press.repeat) {
         take_end_choice();
     } else if (press.key == "backspace") {
@@ -92,7 +118,7 @@ void LessonInput::take_playing_key(const KeyPress& press) {
     } else if (types() && press.key == "return") {
         give_answer();
     } else if (asked() && goes) {
-        choose(press.key == "down" ? 1 : -1);
+        choose(press.key);
     } else if (!press.repeat && !asked() && !asking_) {
         frame_.keys.push_back(press.key);
     }
@@ -107,10 +133,28 @@ void LessonInput::switch_asking() {
     }
 }
 
+void LessonInput::lay_aside(bool aside) {
+    keys_.release();
+    if (aside) {
+        lies_aside_ = !stop_.stopped();
+    }
+    // A stop that came meanwhile stays.
+    if (lies_aside_ && aside != stop_.paused()) {
+        stop_.switch_pause();
+    }
+    lies_aside_ = lies_aside_ && aside;
+}
+
 void LessonInput::press(ScreenButton button) {
     swallows_click_ = true;
     if (button == ScreenButton::pause) {
         return stop_.switch_pause();
+    }
+    if (button == ScreenButton::leave) {
+        return orders_.push_back(ScreenOrder::leave);
+    }
+    if (button == ScreenButton::settings) {
+        return orders_.push_back(ScreenOrder::open_settings);
     }
     if (stop_.stopped()) {
         return;
@@ -123,6 +167,8 @@ void LessonInput::press(ScreenButton button) {
         case ScreenButton::ask:
             return switch_asking();
         case ScreenButton::pause:
+        case ScreenButton::settings:
+        case ScreenButton::leave:
             return;
     }
 }
@@ -132,7 +178,11 @@ void LessonInput::give_answer() {
     if (frame_.typed) {
         return;
     }
-    if (chosen_ >= 0 && chosen_ < static_cast<int>(choices_.size())) {
+    const bool chose = chosen_ >= 0 && chosen_ < static_cast<int>(choices_.size());
+    if (!chose && typing_.is_blank()) {
+        return show_what_to_do();
+    }
+    if (chose) {
         frame_.typed = choices_[static_cast<std::size_t>(chosen_)].said;
         typing_.clear();
     } else {
@@ -142,32 +192,53 @@ void LessonInput::give_answer() {
     chosen_ = kTypingSpot;
 }
 
+// Nothing is said yet: what may be chosen is shown; where something may be asked the line says so already.
+void LessonInput::show_what_to_do() {
+    typing_.clear();
+    if (asked() && !asking_) {
+        wants_choices_ = choices_.empty();
+        chosen_ = choices_.empty() ? kTypingSpot : 0;
+    }
+}
+
+std::vector<LessonInput::EndChoice> LessonInput::end_choices() const {
+    if (has_next_) {
+        return {EndChoice::again, EndChoice::next, EndChoice::leave};
+    }
+    return {EndChoice::again, EndChoice::leave};
+}
+
 // The space bar plays again, whoever presses it.
 void LessonInput::take_end_choice() {
     if (end_choice_ == EndChoice::leave) {
         orders_.push_back(ScreenOrder::leave);
+    } else if (end_choice_ == EndChoice::next) {
+        orders_.push_back(ScreenOrder::play_next);
     } else {
         frame_.keys.emplace_back("space");
     }
 }
 
-void LessonInput::choose(int step) {
+void LessonInput::choose(const std::string& key) {
     asking_ = false;
-    const auto n = static_cast<int>(choices_.size());
-    if (n == 0) {
-        wants_choices_ = true;
+    if (choices_.empty()) {
+        // Who walks sideways when something is asked opens nothing.
+        wants_choices_ = wants_choices_ || key == "down" || key == "up";
         return;
     }
     typing_.clear();
-    chosen_ = chosen_ == kTypingSpot ? (step > 0 ? 0 : n - 1) : (chosen_ + step + n) % n;
+    chosen_ = next_choice(chosen_, static_cast<int>(choices_.size()), key);
 }
 
 void LessonInput::pick(int spot, const std::string& said) {
     swallows_click_ = true;
     if (ended()) {
-        end_choice_ =
-            spot == static_cast<int>(EndChoice::leave) ? EndChoice::leave : EndChoice::again;
-        return take_end_choice();
+        const auto choices = end_choices();
+        if (spot >= 0 && spot < static_cast<int>(choices.size())) {
+            end_choice_ = choices[static_cast<std::size_t>(spot)];
+            take_end_choice();
+        }
+        return;
     }
     if (spot == kTypingSpot) {
         wants_choices_ = asked() && !asking_;
@@ -209,7 +280,7 @@ void LessonInput::take_pointer_keys(WindowEvents& events, const PictureSize& siz
     }
     WindowEvents own;
     own.pressed = events.pressed;
-    own.released = events.released;
+    own.released_places = events.released_places;
     own.lost_focus = events.lost_focus;
     own.pointer_x_px = keys_px_.x();
     own.pointer_y_px = keys_px_.y();
@@ -228,13 +299,13 @@ void LessonInput::point(const WindowEvents& events, const PictureSize& size) {
         wheel_m_ =
             std::clamp(wheel_m_ + kWheelStep_m * events.wheel, -kWheelReach_m, kWheelReach_m);
     }
-    swallows_click_ = swallows_click_ && events.button_down[0];
     pointer_px_ = {events.pointer_x_px, events.pointer_y_px};
     if (run_ == nullptr) {
         return;
     }
     const Camera camera(run_->description().camera, size.width_px, size.height_px);
     point_by_mouse(events, camera);
+    swallows_click_ = swallows_click_ && events.button_down[0];
     if (const auto hand = keys_hand()) {
         if (const auto place_W = pointer_on_plane(camera, keys_px_, keys_depth_m(camera))) {
             run_->hand_at(*hand).device->point_at(*place_W, keys_press_ ? 1U : 0U);
@@ -247,10 +318,21 @@ void LessonInput::point_by_mouse(const WindowEvents& events, const Camera& camer
     if (!hand) {
         return;
     }
-    const auto place_W = pointer_on_plane(camera, pointer_px_, depth_m(camera, *hand, wheel_m_));
+    auto place_W = pointer_on_plane(camera, pointer_px_, depth_m(camera, *hand, wheel_m_));
+    if (place_W) {
+        place_W->y() = std::max(place_W->y(), lowest_hand_m(run_->description()));
+    }
     std::uint32_t buttons = 0;
-    for (std::size_t i = swallows_click_ ? 1 : 0; i < events.button_down.size(); ++i) {
-        buttons |= events.button_down[i] ? 1U << i : 0U;
+    for (std::size_t i = 0; i < events.button_down.size(); ++i) {
+        if (i == 0 && swallows_click_) {
+            clicked_polls_[0] = 0;
+            continue;
+        }
+        // So long that a lesson's frame sees it, however quick the click was.
+        constexpr int kLeastPress_polls = 8;
+        clicked_polls_[i] =
+            events.button_press[i] ? kLeastPress_polls : std::max(clicked_polls_[i] - 1, 0);
+        buttons |= events.button_down[i] || clicked_polls_[i] > 0 ? 1U << i : 0U;
     }
     if (place_W) {
         run_->hand_at(*hand).device->point_at(*place_W, buttons);
@@ -268,6 +350,7 @@ Expected<FrameInput> LessonInput::take_frame(double now_s, double paused_s) {
             return tl::unexpected(choices.error());
         }
         choices_ = std::move(*choices);
+        run_->session().tell_offer(choices_);
         chosen_ = choices_.empty() ? kTypingSpot : 0;
     }
     frame_.time_s = now_s;
@@ -291,7 +374,9 @@ void LessonInput::show(View& view) const {
     for (const AnswerChoice& choice : choices_) {
         view.choices.push_back({choice.said, {}});
     }
-    view.chosen = ended() ? static_cast<int>(end_choice_) : chosen_;
+    const auto ends = end_choices();
+    view.chosen =
+        ended() ? static_cast<int>(std::ranges::find(ends, end_choice_) - ends.begin()) : chosen_;
 }
 
 }  // namespace fulcrum::runtime

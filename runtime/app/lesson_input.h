@@ -3,7 +3,8 @@
 //   WindowEvents -> emergency stop and pause first -> keys of the screen, of the answer, of the lesson -> FrameInput
 //                -> keys that move the pointer (key_hand.h) -> a place in the world -> the mouse as a hand
 //
-// While a question is open its answer is typed, or chosen: down and up open the choices and go through them, return gives the chosen one.
+// While a question is open its answer is typed, or chosen: down and up open the choices, arrow keys go through them (choice_columns.h), return gives the
+// chosen one, and opens them where nothing is typed.
 //
 // Thread: that of the window.
 #pragma once
@@ -16,6 +17,7 @@
 #include "runtime/render/glfw/window.h"
 #include "runtime/scene/view.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,7 +34,9 @@ enum class ScreenOrder : std::uint8_t {
     leave,
     switch_fullscreen,
     say_again,
-    switch_why
+    switch_why,
+    open_settings,
+    play_next
 };
 
 class LessonInput {
@@ -56,6 +60,15 @@ class LessonInput {
         stop_.watch_gate(run_ != nullptr && run_->gate() == GatePhase::stopped);
     }
 
+    /// While something else lies over the lesson it is paused, and keys that were held are let go; it goes on afterwards where only this
+    /// has paused it.
+    void lay_aside(bool aside);
+    /// Which hand holds the mouse, from now on; while there is a play.
+    void hold_by(bool left_handed) {
+        run_->hold_by(left_handed);
+        keys_.hold_by(left_handed);
+    }
+
     /// A button of the screen was clicked.
     void press(ScreenButton button);
     /// A place of the picture was clicked: kTypingSpot, or a choice that said this there. One that is offered no more means nothing.
@@ -64,9 +77,14 @@ class LessonInput {
 
     /// The lesson is over: it is played again, or left.
     [[nodiscard]] bool ended() const {
-        return run_ != nullptr && run_->session().result().finished;
+        return run_ != nullptr && run_->session().result().finished &&
+               !run_->session().result().entered;
     }
-    enum class EndChoice : std::uint8_t { again, leave };  ///< in their order on the screen
+    enum class EndChoice : std::uint8_t { again, next, leave };
+    /// In their order on the screen.
+    [[nodiscard]] std::vector<EndChoice> end_choices() const;
+    /// Whether there is a next lesson to choose then; of every play.
+    void offer_next(bool is_there) { has_next_ = is_there; }
     /// What is typed, and what may be chosen; without pictures.
     void show(View& view) const;
     [[nodiscard]] bool stopped() const { return stop_.stopped(); }
@@ -97,8 +115,9 @@ class LessonInput {
     void take_playing_key(const KeyPress& press);
     void switch_asking();
     void give_answer();
+    void show_what_to_do();
     void take_end_choice();
-    void choose(int step);
+    void choose(const std::string& key);
     [[nodiscard]] std::optional<std::size_t> keys_hand() const;
     [[nodiscard]] double depth_m(const Camera& camera, std::size_t hand, double wheel_m) const;
     void take_pointer_keys(WindowEvents& events, const PictureSize& size, double dt_s);
@@ -111,7 +130,8 @@ class LessonInput {
     TypedLine typing_;
     bool asking_ = false;  // the learner has opened the line to ask something
     bool swallows_text_ = false;
-    bool plays_ = false;  // somebody has moved or pressed anything
+    bool lies_aside_ = false;  // and is paused for that alone
+    bool plays_ = false;       // somebody has moved or pressed anything
     FrameInput frame_{};
     double wheel_m_ = 0.0;
     Vector2 pointer_px_{Vector2::Zero()};
@@ -120,12 +140,14 @@ class LessonInput {
     Vector2 keys_px_{Vector2::Zero()};
     double keys_wheel_m_ = 0.0;
     bool keys_press_ = false;
-    bool swallows_click_ = false;  // until the button that picked something goes up
+    std::array<int, 3> clicked_polls_{};  // of each button: it is held so long still
+    bool swallows_click_ = false;         // until the button that picked something goes up
     std::vector<ScreenOrder> orders_;
 
     std::vector<AnswerChoice> choices_;  // of the question asked at this time
     int chosen_ = kTypingSpot;
     bool wants_choices_ = false;
+    bool has_next_ = false;
     EndChoice end_choice_ = EndChoice::again;
     double asked_at_s_ = 0.0;
 };

@@ -151,13 +151,14 @@ Expected<void> add_own_hands(const LessonTestDescription& test, const RunRequest
 
 std::function<bool(double)> patience(std::optional<double> most_s) {
     constexpr double kTold_s = 2.0;
+    constexpr double kWhenEnded_s = 0.5;  // an answer under way still comes
     return [most_s, told = false](double waited_s) mutable {
         if (!told && waited_s > kTold_s) {
             told = true;
             std::fprintf(stderr, "This computer is busy: the lesson has hardly run for %.0f s.\n",
                          waited_s);
         }
-        return !interrupted() && waited_s < most_s.value_or(HUGE_VAL);
+        return waited_s < (interrupted() ? kWhenEnded_s : most_s.value_or(HUGE_VAL));
     };
 }
 

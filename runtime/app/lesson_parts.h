@@ -22,7 +22,8 @@ struct StartedLesson {
     std::vector<std::string> notices;
 };
 
-/// For LessonProcessOptions: a busy computer is told of once, on the terminal, and waited for, at most so long; Ctrl-C ends it.
+/// For LessonProcessOptions: a busy computer is told of once, on the terminal, and waited for, at most so long. Once the program is to end
+/// an answer has half a second more: one that is under way comes.
 [[nodiscard]] std::function<bool(double)> patience(std::optional<double> most_s);
 
 /// Starts the lesson and settles the request's hands for it; with `own_test` and no hand file, those of its first L:test are loaded

@@ -93,6 +93,7 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     if (auto ordered = effects_.order(*output); !ordered) {
         return tl::unexpected(ordered.error());
     }
+    still_hand_.look(session_->hud().shown_hand_W, last_frame_s_);
     const bool looks = output->has_hand_target && hand().spoiled_counts() != nullptr;
     lead(hands_, *output,
          looks ? nearest_.look(description(), effects_.frames().world,
@@ -130,8 +131,12 @@ Expected<void> LessonRun::finish_record() {
     return recorder_ ? recorder_->finish() : Expected<void>{};
 }
 
-View LessonRun::view(const dialogue::Catalogue& catalogue) const {
+View LessonRun::view(const dialogue::Catalogue& catalogue, bool calm) const {
     Scenery scenery;
+    scenery.calm = calm;
+    if (calm) {
+        scenery.still_hand_W = still_hand_.seen_W();
+    }
     scenery.time_s = last_frame_s_;
     static_cast<EffectFrames&>(scenery) = effects_.frames();
     show(hands_, scenery);

@@ -22,6 +22,7 @@
 #include "runtime/app/run_rounds.h"
 #include "runtime/app/run_why.h"
 #include "runtime/lesson/session.h"
+#include "runtime/lesson/still_hand.h"
 #include "runtime/lua/process/lesson_process.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/view.h"
@@ -61,6 +62,8 @@ class LessonRun {
     [[nodiscard]] bool left_handed() const {
         return hands_.front()->fit.left_handed.value_or(false);
     }
+    /// From now on; an arm's buttons stay as they are until the next run.
+    void hold_by(bool left_handed) { hands_.front()->fit.left_handed = left_handed; }
     /// Whoever answers where no person does.
     [[nodiscard]] RunPupil& pupil() { return pupil_; }
     [[nodiscard]] const RunPupil& pupil() const { return pupil_; }
@@ -122,15 +125,15 @@ class LessonRun {
 
     /// Why a hand feels its force, where somebody looks on who may ask.
     [[nodiscard]] const RunWhy& why() const { return why_; }
-    /// The picture as things stand.
-    [[nodiscard]] View view(const dialogue::Catalogue& catalogue) const;
+    /// The picture as things stand; `calm`: nothing in it is squashed or glides that need not.
+    [[nodiscard]] View view(const dialogue::Catalogue& catalogue, bool calm = false) const;
 
   private:
     LessonRun() = default;
     // In this order.
     [[nodiscard]] Expected<void> load(const Places& places, RunRequest& request);
     [[nodiscard]] Expected<void> build_loops(const RunOrder& order);
-    [[nodiscard]] Expected<void> build_session(const RunRequest& request, ProgressStore& store,
+    [[nodiscard]] Expected<void> build_session(const RunOrder& order, ProgressStore& store,
                                                const dialogue::Catalogue& catalogue);
 
     [[nodiscard]] Expected<SessionInput> gather(const FrameInput& input);
@@ -146,6 +149,7 @@ class LessonRun {
     std::unique_ptr<LessonSession> session_;
     RunPupil pupil_;
     NearestThing nearest_;
+    StillHand still_hand_;
     std::vector<std::string> started_notices_;  // of who moves which
     bool at_desk_ = false;                      // who plays types and chooses the pupil's answers
     double last_frame_s_ = 0.0;                 // on the lesson's own clock

@@ -30,7 +30,7 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
         run->load(places, settled)
             .and_then([&] { return open_hands(order, store, run->plan_, run->hands_); })
             .and_then([&] { return run->build_loops(order); })
-            .and_then([&] { return run->build_session(settled, store, catalogue); });
+            .and_then([&] { return run->build_session(order, store, catalogue); });
     if (!built) {
         return tl::unexpected(built.error());
     }
@@ -90,20 +90,21 @@ Expected<void> LessonRun::build_loops(const RunOrder& order) {
 }
 
 // Who plays, and who answers.
-Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore& store,
+Expected<void> LessonRun::build_session(const RunOrder& order, ProgressStore& store,
                                         const dialogue::Catalogue& catalogue) {
+    const RunRequest& request = order.request;
     LessonDescription description = plan_.scene();
     Plan& plan = plan_.plan();
     at_desk_ = request.by != PlayedBy::arm;
     choose_feedback(description, request.feedback.value_or(request.kept_feedback));
     pupil_ = RunPupil(description, request);
-    auto learner = find_learner(request, description.wants_past, store, plan);
+    auto learner = find_learner(order, description, store, plan);
     if (!learner) {
         return tl::unexpected(learner.error());
     }
     auto session =
         LessonSession::create(std::move(description), plan, catalogue, store, learner->id,
-                              version_of(process_->files_read()), std::move(learner->past));
+                              version_of(process_->files_read()), std::move(learner->known));
     if (!session) {
         return tl::unexpected(session.error());
     }

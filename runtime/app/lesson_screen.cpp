@@ -2,9 +2,13 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/app/force_trial.h"
+#include "runtime/app/installation.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/lesson_cards.h"
 #include "runtime/app/run_told.h"
+#include "runtime/app/screen_words.h"
 #include "runtime/audio/openal/openal_microphone.h"
+#include "runtime/lesson/end_words.h"
 
 #include <algorithm>
 #include <array>
@@ -16,35 +20,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
-// For what the disk still has to keep when a play is over.
-constexpr double kStorePatience_s = 15.0;
-constexpr double kHelp_s = 15.0;        // how long the first level says how to move
-constexpr double kLongestStep_s = 0.1;  // of keys that are held, when the program stood still
-// A frame waits so long for Lua before it shows what there is.
-constexpr double kAnswerPatience_s = 0.004;
-
-void say(const std::string& sentence) {
-    if (!sentence.empty()) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
-}
-
-void say_all(const std::vector<std::string>& sentences) {
-    std::ranges::for_each(sentences, say);
-}
+constexpr double kStorePatience_s = 15.0;    // for the disk, when a play is over
+constexpr double kHelp_s = 15.0;             // how long the first level says how to move
+constexpr double kLongestStep_s = 0.1;       // of keys that are held, when the program stood still
+constexpr double kAnswerPatience_s = 0.004;  // for Lua, before a frame shows what there is
 
 }  // namespace
 
 LessonScreen::LessonScreen(const Places& places, Desktop& desktop, ProgressStore& store,
-                           const dialogue::Catalogue& catalogue, RunRequest request,
-                           const Options& options)
+                           RunRequest request, const Options& options)
     : places_(places),
       desktop_(desktop),
       store_(store),
-      catalogue_(catalogue),
+      catalogue_(desktop.words->shown()),
+      glosses_(*desktop.words, request.folder),
       request_(std::move(request)),
-      options_(options) {}
+      options_(options),
+      next_(find_next_lesson(request_.lessons, request_.folder.filename())) {
+    input_.offer_next(next_.has_value());
+}
 
 LessonScreen::~LessonScreen() {
     stop();
@@ -60,7 +54,7 @@ void LessonScreen::begin() {
     if (++plays_ > 1 && !request.record_file.empty()) {
         request.record_file += "." + std::to_string(plays_);  // an earlier play's record is kept
     }
-    auto run = LessonRun::create(places_, request, store_, catalogue_);
+    auto run = LessonRun::create(places_, request, store_, desktop_.words->english());
     if (!run) {
         if (!interrupted()) {
             fail_with(run.error());
@@ -68,6 +62,7 @@ void LessonScreen::begin() {
         return;
     }
     run_ = std::move(*run);
+    best_before_ = best_in(read_best_stars(store_, request_.player()), run_->description().id);
     print_lines(run_->process().prints_while_loading());
     say_notices(*run_);
     files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
@@ -84,6 +79,10 @@ void LessonScreen::begin() {
         return;
     }
     input_.begin(run_.get());
+    if (driver_ != nullptr) {
+        driver_->begin(*run_, request_.by, request_.seed,
+                       {desktop_.window->width_px(), desktop_.window->height_px()});
+    }
     set_stop_target(&run_->channels().emergency_stop);
     epoch_s_ = level_began_s_ = monotonic_now_s();
     level_ = 0;
@@ -133,6 +132,9 @@ void LessonScreen::stop() {
         }
         say_losses(*run_);
         input_.begin(nullptr);
+        if (driver_ != nullptr) {
+            driver_->leave();
+        }
         run_.reset();
     }
 }
@@ -168,7 +170,12 @@ Left LessonScreen::play() {
             desktop_.sound->set_force_sound(
                 unfelt && error_.empty() ? last_view_.force.force_W.norm() : 0.0);
         }
+        desktop_.read_choice(last_view_, input_.chosen(), input_.pointer_px());
         desktop_.finish_frame();
+        if (run_ && run_->session().result().entered) {
+            entered_ = run_->session().result().entered;
+            left_ = Left::entered;
+        }
         if (time_is_up) {
             left_ = Left::time_is_up;
         }
@@ -182,6 +189,9 @@ void LessonScreen::take_input(const WindowEvents& events) {
         left_ = Left::closed;
     }
     input_.hear_stops(stop_signals_seen());
+    if (settings_) {
+        return take_settings(events);
+    }
     if (ear_ && ear_->take_keys(events)) {
         desktop_.hush();
     }
@@ -194,7 +204,8 @@ void LessonScreen::take_input(const WindowEvents& events) {
     const double dt_s = std::clamp(now_s - polled_s_, 0.0, kLongestStep_s);
     polled_s_ = now_s;
     const PictureSize size{desktop_.window->width_px(), desktop_.window->height_px()};
-    input_.take(events, !run_ || offers_another_begin(find_trouble()), size, dt_s);
+    input_.take(events, !run_ || offers_another_begin(find_trouble(run_.get(), input_, error_)),
+                size, dt_s);
     take_orders();
 }
 
@@ -213,10 +224,35 @@ void LessonScreen::take_orders() {
             case ScreenOrder::say_again:
                 say_again();
                 break;
+            case ScreenOrder::play_next:
+                entered_ = next_->name;
+                left_ = Left::entered;
+                break;
+            case ScreenOrder::open_settings:
+                open_settings();
+                break;
             case ScreenOrder::switch_why:
                 why_hand_ = next_why_hand();
                 break;
         }
+    }
+}
+
+// The lesson is paused meanwhile.
+void LessonScreen::open_settings() {
+    input_.lay_aside(true);
+    settings_.emplace(desktop_, store_, catalogue_, request_.learner);
+}
+
+void LessonScreen::take_settings(const WindowEvents& events) {
+    if (!settings_->take(events)) {
+        settings_.reset();
+        input_.lay_aside(false);
+    }
+    const bool left_handed = desktop_.settings.left_handed();
+    if (run_ && desktop_.may_set(SettingKind::hand) && run_->left_handed() != left_handed) {
+        request_.fit.left_handed = left_handed;
+        input_.hold_by(left_handed);
     }
 }
 
@@ -247,7 +283,7 @@ void LessonScreen::listen() {
 // One frame of the lesson, without ever waiting long for it: the picture goes on even when Lua hangs.
 void LessonScreen::exchange() {
     if (!run_ || !error_.empty()) {
-        return;
+        return run_ ? run_->keep_rounds() : void();
     }
     say(take_device_notice(run_->hands()));
     const double now_s = monotonic_now_s() - epoch_s_;
@@ -260,9 +296,9 @@ void LessonScreen::exchange() {
     }
     if (!run_->process().waits_for_reply() && now_s >= next_frame_s_ && !pause_.stands()) {
         const auto sent =
-            input_.take_frame(now_s, pause_.stood_s()).and_then([&](const FrameInput& input) {
-                return run_->begin_frame(input);
-            });
+            drive(now_s)
+                .and_then([&] { return input_.take_frame(now_s, pause_.stood_s()); })
+                .and_then([&](const FrameInput& input) { return run_->begin_frame(input); });
         if (!sent) {
             fail_with(sent.error());
             return;
@@ -285,7 +321,7 @@ void LessonScreen::exchange() {
     }
     input_.look_again();
     if (pictures_.look(input_.choices(), run_->description(), places_, request_.folder)) {
-        desktop_.picture->load_models(pictures_.names(), request_.folder);
+        desktop_.picture->load_models(pictures_.models(), request_.folder);
     }
     desktop_.play((*report)->sounds);
     desktop_.say((*report)->spoken);
@@ -299,21 +335,24 @@ void LessonScreen::exchange() {
     }
 }
 
+// What a simulated player does now; what comes of it the window tells later.
+Expected<void> LessonScreen::drive(double now_s) {
+    const auto find = [&](int spot) { return desktop_.picture->place_of(spot); };
+    return driver_ == nullptr ? Expected<void>() : driver_->act(input_, now_s, find);
+}
+
 // A lesson that failed runs again as soon as one of its files is saved; with --watch a running one does too.
 void LessonScreen::watch_files() {
-    const double now_s = monotonic_now_s();
-    const bool looks = options_.watch || !error_.empty();
-    if (!looks || now_s < next_watch_s_) {
-        return;
-    }
-    next_watch_s_ = now_s + kWatchPeriod_s;
-    if (files_.changed()) {
+    if ((options_.watch || !error_.empty()) && files_.changed_by(monotonic_now_s())) {
         begin();
     }
 }
 
 View LessonScreen::compose() const {
-    View view = run_ ? run_->view(catalogue_) : last_view_;
+    if (settings_) {
+        return settings_->view();
+    }
+    View view = run_ ? run_->view(catalogue_, desktop_.settings.calm()) : last_view_;
     if (run_) {
         input_.show(view);
         pictures_.show(view);
@@ -322,49 +361,20 @@ View LessonScreen::compose() const {
     if (ear_) {
         ear_->show(view, catalogue_);
     }
-    // Before anything is typed the line says what else there is.
     if (input_.ended()) {
-        view.choices = {{catalogue_.say("end.play_again"), {}}, {catalogue_.say("end.menu"), {}}};
-    } else if (!view.choices.empty()) {
-        view.microphone.words = catalogue_.say("hud.choose_here");
-    } else if (input_.asking()) {
-        view.microphone.words = catalogue_.say("hud.ask_here");
-    } else if (view.input_visible && view.microphone.words.empty()) {
-        view.microphone.words = catalogue_.say("hud.type_here");
+        view.end_note = explain_stars(run_->session().result(), best_before_, catalogue_);
     }
-    show(find_trouble(), catalogue_, view);
+    show_answer_line(input_, next_ ? next_->title : std::string(), catalogue_, view);
+    show(find_trouble(run_.get(), input_, error_), catalogue_, view);
     if (run_ && error_.empty()) {
-        show_hints(view);
+        const bool has_begun = level_ <= 1 && monotonic_now_s() - level_began_s_ < kHelp_s;
+        show_hints(*run_, request_, said_before_.shown(monotonic_now_s()), has_begun,
+                   input_.paused(), glosses_, view);
         view.paused = input_.stopped();
-        view.buttons = find_buttons(*run_);
+        view.buttons = find_buttons(*run_, view.paused);
+        view.speaks = desktop_.speaks();
     }
     return view;
-}
-
-ScreenTrouble LessonScreen::find_trouble() const {
-    ScreenTrouble trouble;
-    trouble.error = error_;
-    trouble.is_stopped = input_.stopped();
-    trouble.is_paused = input_.paused();
-    if (run_) {
-        trouble.waited_s = run_->process().waited_s();
-        trouble.device_is_lost = device_is_lost(run_->hands());
-        trouble.is_unkept = !run_->session().store_trouble().empty();
-        trouble.holds_back = holds_back(run_->hands(), run_->plan());
-    }
-    return trouble;
-}
-
-// What helps where nothing else is said.
-void LessonScreen::show_hints(View& view) const {
-    const std::string before = said_before_.shown(monotonic_now_s());
-    if (view.banner.empty() && !before.empty()) {
-        view.banner = catalogue_.say("hud.said_before", {{"text", before}});
-    }
-    const bool is_begun = monotonic_now_s() - level_began_s_ < kHelp_s;
-    if (view.banner.empty() && is_begun && level_ <= 1 && !run_->session().result().finished) {
-        view.banner = say_begin_help(find_begin_help(*run_, request_), catalogue_);
-    }
 }
 
 void LessonScreen::save_wanted_screenshot(bool last_frame) {
@@ -375,20 +385,15 @@ void LessonScreen::save_wanted_screenshot(bool last_frame) {
         options_.screenshot_at_s >= 0.0 && monotonic_now_s() - epoch_s_ >= options_.screenshot_at_s;
     if ((last_frame || at_time) && !screenshot_taken_) {
         screenshot_taken_ = true;
-        const Image seen = desktop_.picture->show_and_read(last_view_);
-        if (auto kept = save_png(options_.screenshot, seen); !kept) {
-            say(to_sentence(kept.error()));
-        }
+        say(desktop_.keep_picture(last_view_, options_.screenshot));
     }
 }
 
 std::string LessonScreen::statistics(double since_s) const {
     std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(),
-                  " The first round came %.2f s after the start; %llu pictures.",
-                  first_epoch_s_.value_or(since_s) - since_s,
-                  static_cast<unsigned long long>(desktop_.picture->n_shown()));
-    return loops_.describe_pace() + text.data();
+    std::snprintf(text.data(), text.size(), " The first round came %.2f s after the start; ",
+                  first_epoch_s_.value_or(since_s) - since_s);
+    return loops_.describe_pace() + text.data() + describe(desktop_.picture->shown());
 }
 
 }  // namespace fulcrum::runtime

@@ -84,6 +84,8 @@ int run_program(int argc, char** argv) {
             return export_command(*options);
         case Command::report:
             return report_command(*options);
+        case Command::school_class:
+            return class_command(*options);
         case Command::devices:
             return devices_command(*options);
         case Command::arm:

@@ -30,6 +30,8 @@ void keep_private(const std::string& database) {
     }
 }
 
+}  // namespace
+
 Expected<std::unique_ptr<ProgressStore>> open_store(const std::string& database) {
     const auto path = database.empty() ? default_database_path() : Expected<std::string>(database);
     if (!path) {
@@ -38,8 +40,6 @@ Expected<std::unique_ptr<ProgressStore>> open_store(const std::string& database)
     keep_private(*path);
     return open_sqlite_store(*path);
 }
-
-}  // namespace
 
 std::unique_ptr<ProgressStore> open_store_or_none(const std::string& database) {
     auto store = open_store(database);

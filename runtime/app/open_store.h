@@ -8,8 +8,11 @@
 
 namespace fulcrum::runtime {
 
-/// The store at `database` (empty: the default place). One that cannot be used is left untouched: one sentence on the
-/// terminal, and a store that keeps nothing, so that the lesson can still be played.
+/// The store at `database` (empty: the default place).
+[[nodiscard]] Expected<std::unique_ptr<ProgressStore>> open_store(const std::string& database);
+
+/// The same, so that a lesson can always be played. One that cannot be used is left untouched: one sentence on the
+/// terminal, and a store that keeps nothing.
 /// Its writes wait for the disk: for a run without a window, whose clock waits with them.
 [[nodiscard]] std::unique_ptr<ProgressStore> open_store_or_none(const std::string& database);
 

@@ -1,6 +1,7 @@
 #include "runtime/app/option_table.h"
 
 #include "dialogue/result.h"
+#include "haptics/device/mouse/pointer_device.h"
 #include "runtime/files/line_program.h"
 #include "runtime/lesson/learner_feedback.h"
 #include "runtime/scene/lesson_limits.h"
@@ -150,8 +151,14 @@ Expected<void> set_feedback(Options& options, const OptionRow& row, const std::s
     return {};
 }
 
+Expected<void> set_picture(Options& options, const OptionRow& row, const std::string& value) {
+    return read_choice(row, value).map([&](std::size_t i) {
+        options.picture = i == 0 ? std::nullopt : std::optional(static_cast<PictureLevel>(i - 1));
+    });
+}
+
 Expected<void> set_voice(Options& options, const OptionRow&, const std::string& value) {
-    return find_voice(value).map([&](VoiceKind voice) { options.voice.kind = voice; });
+    return find_voice(value).map([&](VoiceKind voice) { options.voice = voice; });
 }
 
 Expected<void> add_hand(Options& options, const OptionRow&, const std::string& value) {
@@ -194,13 +201,18 @@ std::span<const CommandRow> command_rows() {
     using enum Command;
     static constexpr CommandRow kRows[] = {
         {"run", run, "LESSON", "play a lesson"},
-        {"menu", menu, "", "the list of lessons, in a window; what fulcrum without a command is"},
+        {"room", room, "", "the science room, in a window, from which the lessons are entered; what fulcrum without a command is"},
+        {"menu", menu, "", "the list of lessons, in a window"},
         {"list", list, "", "the lessons"},
         {"check", check, "LESSON", "look for mistakes, also in what is only called in a play"},
         {"test", test, "LESSON", "play the lesson's own tests, by arm, by mouse and by keyboard"},
         {"explain", explain, "LESSON", "what runs for it, how often, and which line asked for it"},
         {"export", export_record, "FILE.rec", "a record as CSV: rounds, and beside them .events, .bodies and .facts"},
         {"report", report, "", "what learners did"},
+        {"class", school_class, "DO ...",
+         R"(who is asked "Who are you?" before the list of lessons, by pictures. new CLASS NAME...: makes a class. add NAME...: more pupils.
+         list: each pupil's card and secret picture. picture NAME: another secret picture, or with three pictures behind it those.
+         show-as names: cards with names, which nobody need know a picture for; show-as pictures)"},
         {"devices", devices, "", "what can be a hand here, what each can do, what is missing"},
         {"arm", arm, "", "a simulated arm that speaks the arm link, for --hand udp:localhost:4701"},
         {"stop", stop, "", "emergency stop: every hand and arm of yours on this computer fades to no force"},
@@ -225,7 +237,7 @@ std::span<const OptionRow> option_rows() {
          that --record wrote, with its keys, answers and seed; --headless says whether every force is the same to the bit, and if not, where
          first and why. A test takes a FILE.lua)"},
         {"--key", "FILE", of(run, arm), set_key, "what an arm on the network shares with the program; behind a second --hand that arm's"},
-        {"--handed", "left|right", of(run, menu), set_hand_fit,
+        {"--handed", "left|right", of(run, room, menu), set_hand_fit,
          "for a left hand the arm's first two buttons change places, and I J K L move the pointer; kept with the learner"},
         {"--scale", "N", of(run), set_hand_fit,
          R"(how the arm stands before the learner: times the lesson's scale. --scale, --axes, --middle and --clutch are kept with the
@@ -234,50 +246,66 @@ std::span<const OptionRow> option_rows() {
         {"--middle", "X,Y,Z", of(run), set_hand_fit, "the place, in metres, that is the middle"},
         {"--clutch", "N|none", of(run), set_hand_fit,
          "the button that holds the scene still while the arm moves on (3)", 1.0, kMostClutchButton},
+        {"--yield", "N", of(run, room, menu, test), put<&Options::yield>,
+         R"(how strongly a hand that a mouse or keys move gives way to what pushes it and comes late, so that force is seen: times what ships;
+         0: it is where the mouse is)", 0.0, kMostYield},
         {"--first-use", "once|again|never", of(run), put<&Options::first_use>,
          R"(whether an arm or a joystick pushes gently first and asks which way (once for each learner and device): one that is wired or stands
          wrongly gives no force, and none later with never)"},
-        {"--by", "arm|mouse|keyboard", of(run, test), put<&Options::by>,
-         "without a window: how the simulated hand plays, by an arm or as somebody at a desk (arm; a test: by each of them)"},
+        {"--by", "arm|mouse|keyboard|touch|clumsy|idle", of(run, test), put<&Options::by>,
+         R"(how the simulated hand plays, by an arm or as somebody at a desk (arm; a test: by the first three); touch: a finger on a screen; clumsy: a mouse
+         that comes late, trembles, strays and slips, and answers are clicked by chance; idle: nothing is moved; these must come to the end)"},
+        {"--deeds", "PIPE", of(run), put<&Options::deeds>,
+         R"(with --by in a window: what that player would do is written there, line by line, as xdotool reads it, and only what comes back from
+         the screen counts; the window's upper left corner is the screen's)"},
         {"--say", "FILE", of(run, explain), put<&Options::say>,
          R"(what a pupil says, a line each time it is the pupil's turn: an answer to the question that is open; a line that begins with ? is
          asked instead, between questions too ("?What is this?"); # begins a remark)"},
         {"--errors", "N", of(run, test), put<&Options::errors>,
          R"(a simulated learner answers, who knows what is right and errs in so many parts of the answers: half of that in form, a third in
          meaning, else unclear; the lesson must come to its end)", 0.0, 0.9},
-        {"--learner", "NAME", of(run, menu, report), put<&Options::learner>, "whose progress this is"},
-        {"--db", "FILE", of(run, menu, report), put<&Options::database>, "where progress is kept"},
+        {"--learner", "NAME", of(run, room, menu, report), put<&Options::learner>, "whose progress this is"},
+        {"--class", "CLASS", of(school_class, room, menu), put<&Options::class_name>, "this one of several classes"},
+        {"--names", "FILE", of(school_class), put<&Options::names_file>, "new, add: the names in a text file, one a line; -: in what is piped to it"},
+        {"--guests", "", of(report), put<&Options::each_guest>, "each guest by itself, instead of all as one"},
+        {"--db", "FILE", of(run, room, menu, report, school_class), put<&Options::database>, "where progress is kept"},
         {"--record", "FILE", of(run, explain), put<&Options::record>, "write poses, forces and events"},
         {"--screenshot", "FILE", of(run), put<&Options::screenshot>, "write the picture when the run ends"},
         {"--screenshot-at", "S", of(run), put<&Options::screenshot_at_s>, "or at that second", 0.0, kDay_s},
         {"--seconds", "N", of(run, explain, arm, soak), put<&Options::seconds>, "end early; soak: how long each run is (60)", 0.0, kDay_s},
         {"--seed", "N", of(run, test, arm, soak), set_seed,
          "what is left to chance goes as it went with this number; without a window 1; soak: the first of them (1)", 0.0, kMostSeed},
-        {"--force-limit", "N", of(run, menu, check, test, explain, arm, soak), put<&Options::force_limit_N>,
+        {"--force-limit", "N", of(run, room, menu, check, test, explain, arm, soak), put<&Options::force_limit_N>,
          "newtons at most (5); never more than /etc/fulcrum/site.conf allows", kLeastForceLimit_N, kMostForceLimit_N},
-        {"--feedback", "STEP,STEP", of(run, menu), set_feedback,
+        {"--feedback", "STEP,STEP", of(run, room, menu), set_feedback,
          R"(what is done about an error of form the first time, the second …: recast, prompt, rule, replay (as the lesson says, else
          recast,prompt,rule); kept with a --learner until another is given, or lesson)"},
-        {"--mute", "", of(run, menu, explain), put<&Options::mute>, "without sound"},
-        {"--watch", "", of(run, menu), put<&Options::watch>, "runs again whenever a file of the lesson is saved, not only after a mistake"},
-        {"--dialogue", "shipped|none|exec:COMMAND", of(run, menu, explain), set_dialogue,
+        {"--language", "en|es|ko", of(run, room, menu), put<&Options::language>,
+         R"(of buttons, help and settings in the window; the lesson stays English (as was chosen in the settings, else the system's where it is one of
+         these))"},
+        {"--mute", "", of(run, room, menu, explain), put<&Options::mute>, "without sound"},
+        {"--picture", "auto|best|good|fair|fast", of(run, room, menu), set_picture,
+         R"(how finely the scene is drawn in a window: as finely as 30 pictures a second allow (auto); edges smoothed (best) or not (good); with
+         half (fair) or a quarter (fast) of the dots; words are always fine)"},
+        {"--watch", "", of(run, room, menu), put<&Options::watch>, "runs again whenever a file of the lesson is saved, not only after a mistake"},
+        {"--dialogue", "shipped|none|exec:COMMAND", of(run, room, menu, explain), set_dialogue,
          R"(who chooses the words that are said back: the program itself (shipped); nobody; a program of your own, which marks nothing
          (dialogue/README.md))"},
-        {"--speech", "text|sphinx|exec:COMMAND", of(run, menu, explain), set_speech,
+        {"--speech", "text|sphinx|exec:COMMAND", of(run, room, menu, explain), set_speech,
          R"(how answers come beside typing: not at all (text); spoken, heard by PocketSphinx; heard by a program of your own
          (dialogue/README.md))"},
         {"--hear", "FILE", of(run, explain), put<&Options::hear>,
          "one recording (WAV) a line, heard for the questions in turn instead of a microphone"},
-        {"--listen", "hold|always", of(run, menu, explain), put<&Options::listen>,
+        {"--listen", "hold|always", of(run, room, menu, explain), put<&Options::listen>,
          "when the microphone is heard: while Control is held, or whenever somebody speaks (hold)"},
-        {"--sure", "N", of(run, menu), put<&Options::sureness>,
+        {"--sure", "N", of(run, room, menu), put<&Options::sureness>,
          "with --speech: what is heard less surely is asked for again (as the lesson says, else 0.4)", 0.0, 1.0},
-        {"--throat", "N", of(run, menu), put<&Options::throat>,
+        {"--throat", "N", of(run, room, menu), put<&Options::throat>,
          R"(with --speech sphinx: how much smaller than a grown-up's the pupil's throat is (as it was heard the last time, kept with the
          pupil's progress))", 1.0, 2.0},
-        {"--voice", "flite|espeak-ng|none", of(run, menu), set_voice, "who says aloud what stands there (flite)"},
-        {"--voice-speed", "N", of(run, menu), put<&Options::voice, &VoiceSettings::speed>,
-         "1 is as a teacher speaks (0.9)", kSlowestVoice, kFastestVoice},
+        {"--voice", "flite|espeak-ng|none", of(run, room, menu), set_voice, "who says aloud what stands there (as was chosen in the settings, else flite)"},
+        {"--voice-speed", "N", of(run, room, menu), put<&Options::voice_speed>,
+         "1 is as a teacher speaks (as was chosen in the settings, else 0.9)", kSlowestVoice, kFastestVoice},
         {"--quick", "", of(check), put<&Options::quick>, "without playing it"},
         {"--again", "", of(check), put<&Options::again>, "also where nothing has changed since the last time, which is told again otherwise"},
         {"--analyze", "", of(explain), put<&Options::analyze>,

@@ -14,8 +14,11 @@ namespace fulcrum::runtime {
 struct CommandRow {
     std::string_view word;
     Command command;
-    std::string_view takes;  ///< the one word behind it that is no option; empty: none
-    std::string_view text;   ///< for the help; empty: another word for the same
+    std::string_view
+        takes;  ///< the one word behind it that is no option, or several where it ends in "..."; empty: none
+    std::string_view text;  ///< for the help; empty: another word for the same
+
+    [[nodiscard]] bool takes_several() const { return takes.ends_with("..."); }
 };
 
 struct OptionRow {

@@ -7,7 +7,9 @@
 #include "runtime/app/played_by.h"
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/lesson/hand_fit.h"
+#include "runtime/render/picture_quality.h"
 #include "runtime/scene/plan.h"
+#include "runtime/scene/screen_settings.h"
 
 #include <optional>
 #include <string>
@@ -16,6 +18,7 @@
 namespace fulcrum::runtime {
 
 enum class Command : std::uint8_t {
+    room,
     menu,
     run,
     list,
@@ -23,6 +26,7 @@ enum class Command : std::uint8_t {
     test,
     explain,
     report,
+    school_class,
     devices,
     arm,
     stop,
@@ -56,18 +60,23 @@ struct ArmOptions {
 /// Everything the command line can say: option_table.h says what each option means and may be. Fields that a command does not use are
 /// refused for it.
 struct Options {
-    Command command = Command::menu;
-    std::string help_for;  ///< help: of this command alone; empty: of all
-    std::string lesson;    ///< a name under scenarios/ or a folder; a record of it
+    Command command = Command::room;
+    std::string help_for;            ///< help: of this command alone; empty: of all
+    std::vector<std::string> words;  ///< class: what is done, and with whom
+    std::string lesson;              ///< a name under scenarios/ or a folder; a record of it
     bool headless = false;
     bool real_time = false;
     std::optional<double> seconds;
     std::vector<std::string> hands;  ///< of each; what is not said is chosen by what is there
     std::optional<PlayedBy> by;      ///< test: by all where none is named
+    std::string deeds;               ///< where what --by does in a window is written
     std::string say;
     std::optional<double> errors;
     std::string learner;
-    std::string database;  ///< empty: the default place
+    std::string database;    ///< empty: the default place
+    std::string class_name;  ///< empty: the only one there is; in the list of lessons each
+    std::string names_file;  ///< of a class; empty: its names are words
+    bool each_guest = false;
     std::optional<std::uint64_t> seed;
     std::string record;
     std::string screenshot;
@@ -79,9 +88,13 @@ struct Options {
     std::string hearing;  ///< with --speech exec: the command
     std::string hear;
     ListenMode listen = ListenMode::hold;
-    VoiceSettings voice{};
+    std::optional<VoiceKind> voice{};     ///< nothing: as the learner has chosen
+    std::optional<double> voice_speed{};  ///< likewise
     bool watch = false;
     bool mute = false;
+    std::optional<Language> language{};  ///< nothing: as the learner has chosen, else the locale's
+    double yield = 1.0;
+    std::optional<PictureLevel> picture{};  ///< nothing: as fine as comes in time
     bool analyze = false;
     bool quick = false;
     bool again = false;

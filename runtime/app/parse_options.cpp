@@ -31,10 +31,14 @@ tl::unexpected<Error> unknown(const std::string& what, const std::string& word,
                         : "see fulcrum help");
 }
 
-// The one word that is no option.
+// A word that is no option.
 Expected<void> set_lesson(Options& options, const CommandRow& command, const std::string& word) {
     if (command.command == Command::help && find_command(word) != nullptr) {
         options.help_for = word;
+        return {};
+    }
+    if (command.takes_several()) {
+        options.words.push_back(word);
         return {};
     }
     if (command.takes.empty() || !options.lesson.empty()) {
@@ -80,7 +84,7 @@ Expected<Options> parse_options(std::span<const std::string> words) {
     }
     // Options alone are those of the list of lessons.
     const bool only_options = words[0].starts_with("--") && find_command(words[0]) == nullptr;
-    const CommandRow* const command = find_command(only_options ? "menu" : words[0]);
+    const CommandRow* const command = find_command(only_options ? "room" : words[0]);
     if (command == nullptr) {
         std::vector<std::string_view> known;
         std::ranges::transform(command_rows(), std::back_inserter(known), &CommandRow::word);
@@ -96,6 +100,11 @@ Expected<Options> parse_options(std::span<const std::string> words) {
         if (auto taken = take_word(options, *command, words, i); !taken) {
             return tl::unexpected(taken.error());
         }
+    }
+    if (command->takes_several()) {
+        return options.words.empty() ? fail(words[0] + " needs to know what to do", "",
+                                            "see fulcrum help " + words[0])
+                                     : Expected<Options>(options);
     }
     if (!command->takes.empty() && options.lesson.empty()) {
         return command->command == Command::export_record || options.force_at_s

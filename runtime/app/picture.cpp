@@ -1,6 +1,6 @@
 #include "runtime/app/picture.h"
 
-#include "runtime/lesson/compose_view.h"
+#include "runtime/effect/hand/show_tool.h"
 #include "runtime/render/egl/offscreen.h"
 #include "runtime/render/image.h"
 #include "runtime/render/scene/tool_model.h"
@@ -29,7 +29,7 @@ Expected<std::unique_ptr<Picture>> Picture::create(const Places& places) {
 
 std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
                                               const std::filesystem::path& lesson_folder) {
-    std::vector<std::string> names{"cursor", std::string(kHandModel)};
+    std::vector<std::string> names{std::string(kCursorModel), std::string(kHandModel)};
     std::vector<std::string> notices;
     if (lesson.hand.tool && !lesson.hand.tool->model.empty()) {
         names.push_back(lesson.hand.tool->model);

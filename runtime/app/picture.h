@@ -27,7 +27,9 @@ class Picture {
     /// The same for models that every lesson may show.
     [[nodiscard]] std::vector<std::string> load_models(const std::vector<std::string>& names,
                                                        const std::filesystem::path& lesson_folder);
-    void draw(const View& view, int width, int height) { renderer_->draw(view, width, height); }
+    void draw(const View& view, int width, int height, const PictureQuality& quality = {}) {
+        renderer_->draw(view, width, height, quality);
+    }
     /// Where `draw` puts the cards of a view's list of lessons.
     [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const {
         return renderer_->menu_layout(view, width, height);

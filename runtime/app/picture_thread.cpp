@@ -1,11 +1,33 @@
 #include "runtime/app/picture_thread.h"
 
+#include "haptics/base/clock.h"
+
 #include <algorithm>
+#include <cstdio>
 #include <future>
 #include <iterator>
 #include <utility>
 
 namespace fulcrum::runtime {
+
+std::string describe(const PicturesShown& shown) {
+    constexpr std::array<const char*, kPictureLevels.size()> kNames{"best", "good", "fair", "fast"};
+    std::uint64_t all = 0;
+    std::string levels;
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        all += shown.of_level[i];
+        if (shown.of_level[i] > 0) {
+            levels += (levels.empty() ? ": " : ", ") + std::to_string(shown.of_level[i]) + " " +
+                      kNames[i];
+        }
+    }
+    std::array<char, 64> text{};
+    const double lasted_s = shown.last_s - shown.first_s;
+    std::snprintf(text.data(), text.size(), "%llu pictures, %.1f a second",
+                  static_cast<unsigned long long>(all),
+                  lasted_s > 0.0 ? static_cast<double>(all - 1) / lasted_s : 0.0);
+    return text.data() + levels + ".";
+}
 
 Expected<std::unique_ptr<PictureThread>> PictureThread::start(const Places& places,
                                                               Window& window) {
@@ -53,13 +75,42 @@ void PictureThread::run(const Places& places) {
         } else {
             const Wanted wanted = *std::exchange(wanted_, std::nullopt);
             lock.unlock();
-            (*picture)->draw(wanted.view, wanted.width_px, wanted.height_px);
-            swap(**picture, wanted.view);
+            draw(**picture, wanted);
         }
     }
     // What it made in the context goes before that.
     picture = tl::unexpected(Error{});
     window_.release_context();
+}
+
+void PictureThread::draw(Picture& picture, const Wanted& wanted) {
+    std::optional<PictureLevel> level;
+    {
+        const std::scoped_lock lock(mutex_);
+        level = level_;
+    }
+    const bool adapts = !level;
+    level = level.value_or(quality_.level());
+    const double began_s = monotonic_now_s();
+    picture.draw(wanted.view, wanted.width_px, wanted.height_px, quality_of(*level));
+    swap(picture, wanted.view);
+    // The list of lessons stands still, and is drawn as finely as can be.
+    if (!wanted.view.menu.empty()) {
+        return;
+    }
+    const double ended_s = monotonic_now_s();
+    if (adapts) {
+        quality_.take(ended_s - began_s);
+    }
+    const std::scoped_lock lock(mutex_);
+    ++shown_.of_level.at(static_cast<std::size_t>(*level));
+    shown_.first_s = shown_.first_s == 0.0 ? ended_s : shown_.first_s;
+    shown_.last_s = ended_s;
+}
+
+void PictureThread::set_level(std::optional<PictureLevel> level) {
+    const std::scoped_lock lock(mutex_);
+    level_ = level;
 }
 
 // From now on a click means what is seen.
@@ -72,7 +123,6 @@ void PictureThread::swap(const Picture& picture, const View& view) {
     for (const ViewChoice& choice : view.choices) {
         choices_.push_back(choice.said);
     }
-    ++n_shown_;
 }
 
 void PictureThread::ask(Work work) {
@@ -89,6 +139,7 @@ void PictureThread::ask(Work work) {
 }
 
 void PictureThread::show(View view) {
+    view.look = look_;
     Wanted wanted{std::move(view), window_.width_px(), window_.height_px()};
     {
         const std::scoped_lock lock(mutex_);
@@ -98,6 +149,7 @@ void PictureThread::show(View view) {
 }
 
 Image PictureThread::show_and_read(View view) {
+    view.look = look_;
     const Wanted wanted{std::move(view), window_.width_px(), window_.height_px()};
     Image image;
     ask([&](Picture& picture) {
@@ -134,7 +186,8 @@ std::vector<std::string> PictureThread::take_notices() {
     return std::exchange(notices_, {});
 }
 
-MenuLayout PictureThread::menu_layout(const View& view) {
+MenuLayout PictureThread::menu_layout(View view) {
+    view.look = look_;
     const int width_px = window_.width_px();
     const int height_px = window_.height_px();
     MenuLayout layout;
@@ -159,9 +212,21 @@ std::optional<PictureSpot> PictureThread::spot_at(double x_px, double y_px) cons
     return click_boxes_.input.holds(x_px, y_px) ? std::optional(PictureSpot{}) : std::nullopt;
 }
 
-std::uint64_t PictureThread::n_shown() const {
+std::optional<Vector2> PictureThread::place_of(int choice) const {
     const std::scoped_lock lock(mutex_);
-    return n_shown_;
+    if (choice >= static_cast<int>(std::min(choices_.size(), click_boxes_.choices.size()))) {
+        return std::nullopt;
+    }
+    const Box& box =
+        choice < 0 ? click_boxes_.input : click_boxes_.choices[static_cast<std::size_t>(choice)];
+    return box.holds(box.middle_x(), box.middle_y())
+               ? std::optional(Vector2(box.middle_x(), box.middle_y()))
+               : std::nullopt;
+}
+
+PicturesShown PictureThread::shown() const {
+    const std::scoped_lock lock(mutex_);
+    return shown_;
 }
 
 }  // namespace fulcrum::runtime

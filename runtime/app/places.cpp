@@ -169,7 +169,8 @@ fs::path find_model(const Places& places, const fs::path& lesson_folder, const s
     }
     for (const fs::path& folder : {lesson_folder, places.models}) {
         for (const char* ending : {".glb", ".gltf"}) {
-            if (fs::path file = folder / (model + ending); fs::is_regular_file(file, error)) {
+            const fs::path file = folder / (model + ending);
+            if (!folder.empty() && fs::is_regular_file(file, error)) {
                 return file;
             }
         }

@@ -52,7 +52,7 @@ struct Places {
 /// What lies in a folder, in alphabetical order; nothing when it cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder);
 
-/// A model's file: the lesson's own folder first, then the shared models; empty when neither has
+/// A model's file: the lesson's own folder first, where there is one, then the shared models; empty when neither has
 /// it.
 [[nodiscard]] std::filesystem::path find_model(const Places& places,
                                                const std::filesystem::path& lesson_folder,

@@ -1,7 +1,5 @@
 #include "runtime/app/quiet_run.h"
 
-#include <cstdio>
-
 namespace fulcrum::runtime {
 
 int tell_unmet_examples(LessonRun& run, const AnswerTaker& take_answer) {
@@ -9,9 +7,7 @@ int tell_unmet_examples(LessonRun& run, const AnswerTaker& take_answer) {
     if (!unmet) {
         return complain(unmet.error(), 1);
     }
-    for (const std::string& sentence : *unmet) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
+    say_all(*unmet);
     return unmet->empty() ? 0 : 1;
 }
 

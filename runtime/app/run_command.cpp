@@ -6,12 +6,12 @@
 #include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/lesson_screen.h"
-#include "runtime/app/menu_screen.h"
 #include "runtime/app/open_store.h"
 #include "runtime/app/picture.h"
 #include "runtime/app/run_request.h"
 #include "runtime/app/run_told.h"
 #include "runtime/app/stop_signal.h"
+#include "runtime/lesson/learner_settings.h"
 
 #include <cstdio>
 #include <system_error>
@@ -31,16 +31,38 @@ int find_exit_code(const ProgressStore& store, const Options& options, bool lost
 }
 
 int run_in_window(const Installation& installation, const Options& options, RunRequest request) {
-    auto desktop = Desktop::open(installation.places, request.plan.sound, options.voice);
+    auto desktop = Desktop::open(installation, options);
     if (!desktop) {
         return complain(desktop.error(), 2);
     }
+    std::unique_ptr<DeskDriver> driver;
+    if (!options.deeds.empty()) {
+        auto opened = DeskDriver::open(options.deeds);
+        if (!opened) {
+            return complain(opened.error(), 2);
+        }
+        driver = std::move(*opened);
+    }
     const auto store = open_store_beside_window(options.database);
-    LessonScreen screen(installation.places, *desktop, *store, installation.catalogue,
-                        std::move(request), options);
-    (void)screen.play();
-    std::fprintf(stderr, "%s\n", screen.statistics(installation.started_s).c_str());
-    return screen.failed() ? 1 : find_exit_code(*store, options, screen.lost_progress());
+    desktop->use(read_settings(*store, options.learner, desktop->usual).value_or(desktop->usual));
+    while (true) {
+        LessonScreen screen(installation.places, *desktop, *store, request, options);
+        screen.play_by(driver.get());
+        const Left left = screen.play();
+        if (left == Left::entered && !screen.entered()->empty()) {
+            Options other = options;
+            other.lesson = *screen.entered();
+            auto next = make_request(installation.places, other, true);
+            if (!next) {
+                return complain(next.error(), 2);
+            }
+            next->guest = request.guest;
+            request = std::move(*next);
+            continue;
+        }
+        say(screen.statistics(installation.started_s));
+        return screen.failed() ? 1 : find_exit_code(*store, options, screen.lost_progress());
+    }
 }
 
 // Writes the picture at the wanted time, or at the end.
@@ -123,15 +145,11 @@ int run_without_window(const Installation& installation, const Options& options,
     if (!recorded) {
         return complain(recorded.error(), 2);
     }
-    if (!outcome->pace.empty()) {
-        std::fprintf(stderr, "%s\n", outcome->pace.c_str());
-    }
+    say(outcome->pace);
     screenshot.at_end();
     (*run)->session().end(EndReason::left);
     const std::string& unkept = (*run)->session().store_trouble();
-    if (!unkept.empty()) {
-        std::fprintf(stderr, "%s\n", unkept.c_str());
-    }
+    say(unkept);
     const SessionResult& result = (*run)->session().result();
     std::printf("%s: %s after %.1f s (%.0f times real time), score %d, %d of 3 stars, %d %s.\n",
                 (*run)->description().id.c_str(), outcome->finished ? "finished" : "ended",
@@ -142,11 +160,9 @@ int run_without_window(const Installation& installation, const Options& options,
         std::fprintf(stderr, "Ended by a signal; what there is of the run is kept.\n");
     }
     tell_felt(felt_times_of((*run)->hands()), (*run)->description().id);
-    if (const std::string unsaid = unsaid_of(**run, *outcome); !unsaid.empty()) {
-        std::fprintf(stderr, "%s\n", unsaid.c_str());
-    }
+    say(unsaid_of(**run, *outcome));
     if (const std::string trouble = trouble_of(**run, *outcome, true); !trouble.empty()) {
-        std::fprintf(stderr, "%s\n", trouble.c_str());
+        say(trouble);
         return 1;
     }
     if (screenshot.failed()) {
@@ -171,37 +187,6 @@ int run_command(const Installation& installation, const Options& options) {
     }
     return in_window ? run_in_window(installation, options, std::move(*request))
                      : run_without_window(installation, options, *request);
-}
-
-int menu_command(const Installation& installation, const Options& options) {
-    watch_for_stop_signal();
-    if (!display_available()) {
-        std::fprintf(stderr,
-                     "There is no display; here are the lessons, play one with: fulcrum run LESSON "
-                     "--headless\n");
-        return list_command(installation);
-    }
-    auto desktop = Desktop::open(installation.places, !options.mute, options.voice);
-    if (!desktop) {
-        return complain(desktop.error(), 2);
-    }
-    const auto store = open_store_beside_window(options.database);
-    const auto cards = read_lesson_cards(installation.places);
-    Options chosen = options;
-    while (const auto card =
-               choose_lesson(*desktop, cards, installation.catalogue, *store, chosen.learner)) {
-        chosen.lesson = card->name;
-        auto request = make_request(installation.places, chosen, true);
-        if (!request) {
-            return complain(request.error(), 2);
-        }
-        LessonScreen screen(installation.places, *desktop, *store, installation.catalogue,
-                            std::move(*request), chosen);
-        if (screen.play() == Left::closed) {
-            break;
-        }
-    }
-    return interrupt_exit_code();
 }
 
 }  // namespace fulcrum::runtime

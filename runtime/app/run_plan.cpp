@@ -2,6 +2,7 @@
 
 #include "haptics/dynamics/rigid_loop_plan.h"
 #include "haptics/dynamics/world.h"
+#include "runtime/app/installation.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/files/shape_cache.h"
@@ -40,9 +41,7 @@ Expected<Plan> compile_shown(const LessonDescription& lesson, PlanOptions option
         };
         return compile_plan(lesson, options, load_solid, load_picture);
     }();
-    for (const std::string& sentence : shapes.told()) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
+    say_all(shapes.told());
     return plan;
 }
 

@@ -7,6 +7,7 @@
 #include "runtime/files/line_program.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/lesson/talk.h"
+#include "runtime/progress/guest_name.h"
 #include "runtime/progress/store.h"
 
 #include <algorithm>
@@ -24,7 +25,10 @@ Expected<void> choose_player(const Options& options, bool in_window, RunRequest&
     if (!options.by) {
         return {};
     }
-    if (in_window || request.hand != HandKind::scripted) {
+    const bool is_there =
+        request.hand == HandKind::scripted || (in_window && options.hands.empty());
+    const bool is_driven = !options.deeds.empty() && *options.by != PlayedBy::arm;
+    if (!is_there || (in_window && !is_driven)) {
         return fail("--by says how a simulated hand plays, and there is none", "",
                     "add --headless, and give --hand a Lua file or nothing");
     }
@@ -64,8 +68,9 @@ Expected<void> choose_hands(const Options& options, bool in_window, RunRequest& 
 
 // Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
 Expected<void> choose_answers(const Options& options, bool in_window, RunRequest& request) {
-    request.own_test = !in_window;
+    request.own_test = !in_window || options.by;
     request.learner = options.learner;
+    request.guest = new_guest_name();
     if (options.errors) {
         request.learner_rates = rates_of(*options.errors);
     }
@@ -312,6 +317,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.fit = options.fit;
     request.more_fits = options.more_fits;
     request.first_use = options.first_use;
+    request.yield = options.yield;
     return choose_hands(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
         .and_then([&] { return choose_hearing(places, options, request); })

@@ -8,6 +8,7 @@
 #include "runtime/app/played_by.h"
 #include "runtime/lesson/hand_fit.h"
 #include "runtime/lesson/simulated_pupil.h"
+#include "runtime/scene/lesson_messages.h"
 #include "runtime/scene/plan.h"
 
 #include <cstdint>
@@ -34,9 +35,14 @@ struct RunRequest : HandChoice {
     FirstUseTrial first_use = FirstUseTrial::once;
     HandFit fit{};                   ///< how the hand's device is set, as far as somebody says it
     std::vector<HandFit> more_fits;  ///< those beside it; as many as somebody says something of
+    double yield = 1.0;              ///< of a pointer (make_yielding)
     std::string record_file;         ///< empty: nothing is recorded
-    std::string learner;             ///< nickname; empty: "guest"
-    std::uint64_t seed = 1;          ///< of the lesson's math.random
+    std::vector<KnownLesson> lessons{};  ///< for a room; empty: all that are here, when it begins
+    std::string learner;                 ///< nickname; empty: a guest
+    std::string guest = "guest";         ///< what a guest is kept as
+    /// What whoever plays is kept as.
+    [[nodiscard]] const std::string& player() const { return learner.empty() ? guest : learner; }
+    std::uint64_t seed = 1;  ///< of the lesson's math.random
     bool seed_is_given = false;
     std::shared_ptr<const Record> replayed;  ///< replay: the record, once it is read
     std::optional<dialogue::FeedbackLadder>

@@ -6,7 +6,7 @@ namespace fulcrum::runtime {
 
 void RunTape::keep_frame(const SessionOutput& output) {
     if (n_rounds() < kMostTapedRounds) {
-        frames_.push_back({n_rounds(), output.force, output});
+        frames_.push_back({n_rounds(), output.force, static_cast<const EffectOrders&>(output)});
     }
 }
 

@@ -1,5 +1,6 @@
 #include "runtime/app/run_told.h"
 
+#include "runtime/app/installation.h"
 #include "runtime/app/tool_lacks.h"
 
 #include <array>
@@ -69,15 +70,11 @@ void print_lines(const std::vector<std::string>& lines) {
 }
 
 void say_notices(const LessonRun& run) {
-    for (const std::string& notice : run.plan().notices) {
-        std::fprintf(stderr, "%s\n", notice.c_str());
-    }
+    say_all(run.plan().notices);
 }
 
 void say_losses(LessonRun& run) {
-    for (const std::string& sentence : find_losses(run)) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
+    say_all(find_losses(run));
 }
 
 }  // namespace fulcrum::runtime

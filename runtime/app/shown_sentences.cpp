@@ -112,6 +112,21 @@ ShownReview ShownSentences::review(const dialogue::FormCheck& check) const {
     return review;
 }
 
+std::vector<std::string> ShownSentences::rare_words(dialogue::CommonWords common,
+                                                    const std::string& level) const {
+    std::vector<std::string> notes;
+    for (const Sentence& sentence : sentences_) {
+        for (const std::string& word : common.rare_words(sentence.text)) {
+            notes.push_back(
+                dialogue::concat({sentence.places.front(), ": ", sentence.owner, "\"", word,
+                                  "\" in \"", sentence.text, "\" is no common word for level ",
+                                  level, "; take a simpler one, or teach it with know.words."}));
+            common.add(word);
+        }
+    }
+    return notes;
+}
+
 void ShownSentences::add(const std::string& text, const std::string& place,
                          const std::string& owner) {
     if (text.empty()) {

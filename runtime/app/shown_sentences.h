@@ -5,6 +5,7 @@
 // Thread: that of the run.  Cost: a comparison a frame; at the end one check of English a sentence.
 #pragma once
 
+#include "dialogue/english/common_words.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lua/api/written_texts.h"
 
@@ -46,6 +47,9 @@ class ShownSentences {
 
     /// What is to be said of them all; nothing where `check` is empty.
     [[nodiscard]] ShownReview review(const dialogue::FormCheck& check) const;
+    /// One for each word that is not common, where it stands first: "lesson.lua:12: "hedge" in "…" is …".
+    [[nodiscard]] std::vector<std::string> rare_words(dialogue::CommonWords common,
+                                                      const std::string& level) const;
 
   private:
     struct Sentence {

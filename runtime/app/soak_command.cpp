@@ -2,6 +2,7 @@
 // well, under a virtual clock: no force or torque beyond the run's own limits, no fade and no deadline missed, no memory that grows, and the
 // same seed gives the same run. A run that failed is told with the command that repeats it. Last, how late the loops are in real time.
 #include "haptics/base/clock.h"
+#include "haptics/base/sanitized.h"
 #include "haptics/link/spoiled_arm.h"
 #include "haptics/record/record.h"
 #include "runtime/app/commands.h"
@@ -21,7 +22,7 @@
 #include <fstream>
 #include <functional>
 #include <malloc.h>
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(FULCRUM_SANITIZED)
 #include <sanitizer/allocator_interface.h>
 #endif
 #include <string>
@@ -41,13 +42,6 @@ constexpr double kRounds_Hz = 1000.0;
 constexpr double kRealTime_s = 2.0;             // of each lesson
 constexpr std::uint64_t kMostMoreSeeds = 1000;  // looked through for what has not occurred
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kKeepsFreed =
-    true;  // AddressSanitizer holds back what was freed, to see a use of it
-#else
-constexpr bool kKeepsFreed = false;
-#endif
-
 // Without the pages of what was freed, which allocators keep.
 double resident_MB() {
     (void)::malloc_trim(0);
@@ -60,7 +54,7 @@ double resident_MB() {
 
 // What is asked for and not given back.
 double in_use_MB() {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(FULCRUM_SANITIZED)
     return 1.0e-6 * static_cast<double>(::__sanitizer_get_current_allocated_bytes());
 #else
     const struct mallinfo2 heap = ::mallinfo2();
@@ -380,7 +374,8 @@ int soak_command(const Installation& installation, const Options& options) {
         }
     }
     const SoakGrowth growth{std::max(in_use_MB() - settled_in_use_MB, 0.0),
-                            kKeepsFreed ? 0.0 : std::max(resident_MB() - settled_MB, 0.0)};
+                            // Sanitizers hold back what was freed, to see a use of it.
+                            kSanitized ? 0.0 : std::max(resident_MB() - settled_MB, 0.0)};
     std::fputs(describe_soak(sum, growth).c_str(), stdout);
     const auto told =
         tell_all_lateness(installation, is_soak ? lessons : std::vector<std::string>{},

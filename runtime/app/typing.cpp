@@ -21,8 +21,12 @@ void TypedLine::backspace() {
     }
 }
 
+bool TypedLine::is_blank() const {
+    return text_.find_first_not_of(' ') == std::string::npos;
+}
+
 std::optional<std::string> TypedLine::take() {
-    if (text_.find_first_not_of(' ') == std::string::npos) {
+    if (is_blank()) {
         text_.clear();
         return std::nullopt;
     }

@@ -21,6 +21,8 @@ class TypedLine {
     /// Gives the line and empties it; nothing when only blanks were typed.
     [[nodiscard]] std::optional<std::string> take();
     void clear() { text_.clear(); }
+    /// Nothing is typed but blanks.
+    [[nodiscard]] bool is_blank() const;
     [[nodiscard]] const std::string& text() const { return text_; }
 
   private:

@@ -89,4 +89,13 @@ bool WatchedFiles::changed() const {
         stamps_, [](const auto& entry) { return stamp_of(entry.first) != entry.second; });
 }
 
+bool WatchedFiles::changed_by(double now_s) {
+    constexpr double kEvery_s = 0.25;
+    if (now_s < looks_next_s_) {
+        return false;
+    }
+    looks_next_s_ = now_s + kEvery_s;
+    return changed();
+}
+
 }  // namespace fulcrum::runtime

@@ -32,6 +32,8 @@ class WatchedFiles {
 
     /// A file was written, grew, shrank, came or went.
     [[nodiscard]] bool changed() const;
+    /// The same, looked at four times a second at most; false in between. `now_s`: of any clock.
+    [[nodiscard]] bool changed_by(double now_s);
 
   private:
     /// A date and a size: an older file that is copied over a newer one is another one too.
@@ -47,6 +49,7 @@ class WatchedFiles {
 
     std::filesystem::path folder_;  // empty: only the files of stamps_ count
     Stamps stamps_;
+    double looks_next_s_ = 0.0;
 };
 
 }  // namespace fulcrum::runtime

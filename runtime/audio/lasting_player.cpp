@@ -17,6 +17,11 @@ void LastingPlayer::set_stream(SoundStream* stream) {
     player().set_stream(stream);
 }
 
+void LastingPlayer::set_volume(double gain) {
+    volume_ = gain;
+    player().set_volume(gain);
+}
+
 void LastingPlayer::update(double dt_s) {
     player().update(dt_s);
     since_s_ += std::isfinite(dt_s) ? std::max(dt_s, 0.0) : 0.0;
@@ -49,6 +54,7 @@ void LastingPlayer::try_again() {
     }
     silent_->set_stream(nullptr);
     heard_ = std::move(*opened);
+    heard_->set_volume(volume_);
     heard_->set_stream(stream_);
     notice_ = "There is a sound card again.";
 }

@@ -29,6 +29,7 @@ class LastingPlayer final : public SoundPlayer {
         return player().play(name, gain, pitch);
     }
     void set_force_sound(double force_N) override { player().set_force_sound(force_N); }
+    void set_volume(double gain) override;
     void set_stream(SoundStream* stream) override;
     void speak(std::span<const float> samples) override { player().speak(samples); }
     void hush() override { player().hush(); }
@@ -49,6 +50,7 @@ class LastingPlayer final : public SoundPlayer {
     std::unique_ptr<SoundPlayer> silent_;
     Open open_;
     SoundStream* stream_ = nullptr;
+    double volume_ = 1.0;
     std::string notice_;
     double since_s_ = 0.0;  // the last look at the card, or try to open one
     double wait_s_ = 0.0;   // before the next try

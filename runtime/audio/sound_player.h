@@ -60,6 +60,9 @@ class SoundPlayer {
     /// The force that should be heard, newtons; 0 is silence. Not finite or negative counts as 0.
     virtual void set_force_sound(double force_N) = 0;
 
+    /// Of all that is heard from now on, 0 to 1, times the master's; another number counts as the nearest of these, none as 1.
+    virtual void set_volume(double gain) = 0;
+
     /// Plays `stream` from now on, until another, or none (null), is given; it outlives that. What a stream needs is made
     /// with it and goes with it.
     virtual void set_stream(SoundStream* stream) = 0;

@@ -38,6 +38,22 @@ Expected<void> LessonSession::carry_out(const CoverCommand& command, SessionOutp
     return {};
 }
 
+Expected<void> LessonSession::carry_out(const MarkCommand& command, SessionOutput&) {
+    if (!is_index(command.body, hud_.marked_N.size())) {
+        return undeclared();
+    }
+    hud_.marked_N[static_cast<std::size_t>(command.body)] = command.felt_N;
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const LightCommand& command, SessionOutput&) {
+    if (!is_index(command.body, hud_.lights.size())) {
+        return undeclared();
+    }
+    hud_.lights[static_cast<std::size_t>(command.body)] = command.light;
+    return {};
+}
+
 Expected<void> LessonSession::carry_out(const TurnCommand& command, SessionOutput&) {
     return hinges_.carry_out(command);
 }
@@ -133,14 +149,28 @@ Expected<void> LessonSession::carry_out(const ShowHandCommand& command, SessionO
 }
 
 Expected<void> LessonSession::carry_out(const FinishCommand& command, SessionOutput&) {
-    hud_.shown_hand_W.reset();
     hud_.stars = result_.stars = std::clamp(command.stars, 0, 3);
+    sounds_.push_back("finish");
+    finish();
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const EnterCommand& command, SessionOutput&) {
+    if (result_.finished) {
+        return {};  // the first of one frame
+    }
+    result_.entered = command.lesson;
+    sounds_.push_back("click");
+    finish();
+    return {};
+}
+
+void LessonSession::finish() {
+    hud_.shown_hand_W.reset();
     result_.finished = true;
     dialogue_.close();
     show();
-    sounds_.push_back("finish");
     end(EndReason::finished);
-    return {};
 }
 
 Expected<void> LessonSession::carry_out(const PrintCommand& command, SessionOutput& output) {
@@ -221,6 +251,7 @@ void LessonSession::take_question(AskedFor asked, double confidence) {
 void LessonSession::tell(const std::string& said, const std::string& answer) {
     dialogue_.wait_anew(time_s_);
     transcript_.hear_asking(time_s_, said);
+    keep_said(said);
     dialogue::Turn turn;
     turn.level = description_.level;
     turn.mark.said = said;
@@ -239,6 +270,8 @@ void LessonSession::tell_about(std::int32_t body) {
         return;
     }
     told_about_[i] = true;
+    keep_said(std::string());
+    hud_.mood = ViewMood::calm;
     speech_.reply(description_.bodies[i].about);
     transcript_.explain(time_s_, description_.bodies[i].about);
     show();

@@ -1,7 +1,9 @@
 #include "runtime/lesson/compose_view.h"
 
 #include "haptics/math/length.h"
+#include "runtime/effect/hand/show_tool.h"
 #include "runtime/effect/kite/show_kite.h"
+#include "runtime/lesson/better_form.h"
 #include "runtime/lesson/tool_extent.h"
 #include "runtime/scene/shape_models.h"
 #include "runtime/text/amounts.h"
@@ -30,7 +32,8 @@ Vector3 squash(double amount) {
 
 // A ball and a box are made of size 1 and drawn as large as they are felt; other models have their own size.
 Vector3 model_scale(const BodyDescription& body) {
-    return is_shape_model(body.model) ? Vector3(0.5 * box_size_m(body)) : Vector3::Ones();
+    return is_shape_model(body.model) ? Vector3(0.5 * box_size_m(body))
+                                      : Vector3::Constant(body.seen_scale);
 }
 
 const BodyState* state_of(const Scenery& scenery, std::size_t body) {
@@ -79,7 +82,7 @@ ViewBody show_body(const LessonDescription& lesson, const BodyDescription& body,
     shown.model = body.model;
     shown.pose_W = state != nullptr ? state->pose_W : Pose::at(body.position_W);
     shown.scale = model_scale(body);
-    if (where == BodyWhere::held && !scenery.renders_force) {
+    if (where == BodyWhere::held && !scenery.renders_force && !scenery.calm) {
         const double force_N = scenery.hand.applied_W.force.norm();
         shown.scale = shown.scale.cwiseProduct(
             squash(std::min(kSquashPerNewton * force_N, kStrongestSquash)));
@@ -107,8 +110,26 @@ void add_boxes(const BodyDescription& body, ViewBody& shown, View& view) {
     }
 }
 
+std::string force_text(const dialogue::Catalogue& catalogue, const std::string& whose,
+                       double force_N) {
+    return whose + ": " + catalogue.say("hud.force", {{"newtons", newtons_text(force_N)}});
+}
+
+// What was felt of a thing that stands there ends on what it stands on, right of it as the camera sees it, with its name.
+void add_mark(const LessonDescription& lesson, const BodyDescription& body, double felt_N,
+              const dialogue::Catalogue& catalogue, ViewBody& shown, View& view) {
+    constexpr double kBeside = 0.025;  // of the camera's distance: more than half an arrow's head
+    const Vector3 away = lesson.camera.target_W - lesson.camera.eye_W;
+    const Vector3 right_W = compute_direction(Vector3(away.cross(Vector3::UnitY())));
+    const double beside_m = body.radius_m + kBeside * compute_length(away);
+    view.marks.push_back(
+        {true, shown.pose_W.position + beside_m * right_W - body.radius_m * Vector3::UnitY(),
+         Vector3(0.0, -felt_N, 0.0), force_text(catalogue, body.noun, felt_N), ForceLook::load});
+    shown.label.clear();
+}
+
 void add_bodies(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
-                View& view) {
+                const dialogue::Catalogue& catalogue, View& view) {
     for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
         const BodyDescription& body = lesson.bodies[i];
         const BodyState* state = state_of(scenery, i);
@@ -116,6 +137,11 @@ void add_bodies(const LessonDescription& lesson, const SessionHud& hud, const Sc
             continue;
         }
         ViewBody shown = show_body(lesson, body, state, scenery);
+        if (i < hud.marked_N.size() && hud.marked_N[i] > 0.0 &&
+            where_of(body, state) == BodyWhere::placed) {
+            add_mark(lesson, body, hud.marked_N[i], catalogue, shown, view);
+        }
+        shown.light = i < hud.lights.size() ? hud.lights[i] : BodyLight::off;
         if (is_covered(hud, i)) {
             lay_cloth_over(body, shown);
         }
@@ -217,60 +243,6 @@ void add_torques(const LessonDescription& lesson, const Scenery& scenery,
     }
 }
 
-// What holds a kite's line, where it is nothing else.
-bool has_reel(const LessonDescription& lesson) {
-    return lesson.kite && !lesson.hand.tool && !lesson.bucket.present &&
-           !has_shaped_cursor(lesson.hand);
-}
-
-// A model of size 1 is drawn as large as its shape is felt.
-Vector3 tool_scale(const LessonDescription& lesson) {
-    if (has_reel(lesson)) {
-        return Vector3::Constant(lesson.kite->seen_scale);
-    }
-    if (lesson.hand.tool && is_shape_model(lesson.hand.tool->model)) {
-        if (const auto* ball = std::get_if<SphereShape>(&lesson.hand.tool->shape)) {
-            return Vector3::Constant(ball->radius_m);
-        }
-        if (const auto* box = std::get_if<BoxShape>(&lesson.hand.tool->shape)) {
-            return box->half_size_m;
-        }
-    }
-    return Vector3::Ones();
-}
-
-std::string tool_model(const LessonDescription& lesson) {
-    if (lesson.hand.tool) {
-        const std::string& model = lesson.hand.tool->model;
-        return model.empty() ? std::string(kToolModel) : model;
-    }
-    if (lesson.bucket.present) {
-        return lesson.bucket.model;
-    }
-    if (has_reel(lesson)) {
-        return std::string(kReelModel);
-    }
-    return !lesson.hand.cursor_model.empty() ? lesson.hand.cursor_model
-           : has_shaped_cursor(lesson.hand)  ? std::string(kToolModel)
-                                             : "cursor";
-}
-
-std::string force_text(const dialogue::Catalogue& catalogue, const std::string& hand,
-                       double force_N) {
-    return hand + ": " + catalogue.say("hud.force", {{"newtons", newtons_text(force_N)}});
-}
-
-// As large in every picture.
-ViewBody show_hand(const CameraDescription& camera, const Vector3& at_W) {
-    constexpr double kFrom_m = 1.2;  // there it is as large as a child's
-    ViewBody hand;
-    hand.model = kHandModel;
-    hand.pose_W = Pose::at(at_W);
-    hand.scale = Vector3::Constant((camera.eye_W - camera.target_W).norm() / kFrom_m);
-    hand.marked = false;
-    return hand;
-}
-
 // Each in a colour of its own, and with its number for whoever cannot tell colours apart: before its newtons, or beside it where it feels
 // nothing. Forces are drawn to one scale.
 void add_more_hands(const LessonDescription& lesson, const Scenery& scenery,
@@ -304,10 +276,6 @@ void add_more_hands(const LessonDescription& lesson, const Scenery& scenery,
 
 }  // namespace
 
-bool has_shaped_cursor(const HandDescription& hand) noexcept {
-    return !hand.tool && !std::holds_alternative<std::monostate>(hand.cursor);
-}
-
 View compose_view(const LessonDescription& lesson, const Plan& plan, const SessionHud& hud,
                   const Scenery& scenery, const dialogue::Catalogue& catalogue) {
     View view;
@@ -315,14 +283,9 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     view.camera = lesson.camera;
     view.ground_height_m = lesson.ground_height_m;
     view.in_space = lesson.in_space;
-    add_bodies(lesson, hud, scenery, view);
+    add_bodies(lesson, hud, scenery, catalogue, view);
 
-    // The tool is drawn where it may be; a ghost shows where the hand is.
-    view.tool.model = tool_model(lesson);
-    view.tool.scale = tool_scale(lesson);
-    view.tool.pose_W = {scenery.hand.proxy_position_W, scenery.hand.proxy_orientation_W};
-    view.ghost_visible = scenery.ghost;
-    view.ghost_pose_W = scenery.ghost_pose_W;
+    show_tool(lesson, scenery, view);
 
     const Vector3 force_W = scenery.hand.applied_W.force;
     const double force_N = force_W.norm();
@@ -336,15 +299,29 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     // Where a torque is shown its arrow is the hand's push; the push back is the same, the other way round.
     add_torques(lesson, scenery, catalogue, view);
     view.force.visible = view.force.visible && view.torques.empty();
-    add_kite(lesson, hud, scenery, catalogue, view);
+    add_kite(lesson, plan, hud, scenery, catalogue, view);
     if (hud.shown_hand_W) {
-        view.bodies.push_back(show_hand(lesson.camera, *hud.shown_hand_W));
+        view.bodies.push_back(
+            show_hand(lesson.camera, scenery.still_hand_W.value_or(*hud.shown_hand_W)));
     }
+
+    for (const SessionHud::Burst& burst : hud.bursts) {
+        const double age_s = scenery.time_s - burst.at_s;
+        if (!scenery.calm && age_s >= 0.0 && age_s < kBurstLasts_s) {
+            view.bursts.push_back({burst.at_W, age_s});
+        }
+    }
+    view.mood = hud.mood;
 
     view.title = lesson.title;
     view.caption = hud.caption;
-    view.feedback = hud.feedback;
+    view.feedback = show_feedback(hud, catalogue);
     view.input_visible = hud.question_open;
+    for (const BodyLight light : hud.lights) {
+        if (light != BodyLight::off) {
+            view.lights.push_back(light == BodyLight::lit);
+        }
+    }
     view.score = hud.score;
     view.level = hud.level;
     view.level_title = hud.level_title;

@@ -18,7 +18,4 @@ namespace fulcrum::runtime {
                                 const SessionHud& hud, const Scenery& scenery,
                                 const dialogue::Catalogue& catalogue);
 
-/// Is the hand a ball, box, capsule or cylinder of its own, drawn as such (kToolModel), that touches without turning?
-[[nodiscard]] bool has_shaped_cursor(const HandDescription& hand) noexcept;
-
 }  // namespace fulcrum::runtime

@@ -24,6 +24,8 @@ struct Scenery : EffectFrames {
     bool ghost = false;         ///< show where the hand itself is
     Pose ghost_pose_W{};
     std::vector<HandScenery> more_hands{};
+    bool calm = false;                      ///< nothing is squashed
+    std::optional<Vector3> still_hand_W{};  ///< where the program's own hand is seen instead
 };
 
 }  // namespace fulcrum::runtime

@@ -1,5 +1,6 @@
 #include "runtime/lesson/session.h"
 
+#include "runtime/lesson/better_form.h"
 #include "runtime/lesson/free_english.h"
 #include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/questions.h"
@@ -27,8 +28,7 @@ dialogue::ConversationSettings settings_of(const LessonDescription& lesson, cons
 
 LessonSession::LessonSession(LessonDescription description, const Plan& plan,
                              const dialogue::Catalogue& catalogue, QuestionDialogue dialogue,
-                             SessionLog log, std::optional<Knowledge> knowledge,
-                             std::vector<PastAnswers> past)
+                             SessionLog log, std::optional<Knowledge> knowledge, KnownAtFirst known)
     : description_(std::move(description)),
       catalogue_(&catalogue),
       dialogue_(std::move(dialogue)),
@@ -44,8 +44,11 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
         force_.fields[i].anchor_W = description_.forces[i].field.anchor_W;
     }
     hud_.covered.resize(description_.bodies.size(), false);
+    hud_.marked_N.resize(description_.bodies.size(), 0.0);
+    hud_.lights.resize(description_.bodies.size(), BodyLight::off);
     hud_.kite = kite_.seen();
-    ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}, plan.day, std::move(past)};
+    ReadyEvent ready{plan.felt_weight_N, plan.felt_scale,       {},
+                     plan.day,           std::move(known.past), std::move(known.lessons)};
     for (const MaterialFacts& facts : plan.material_facts) {
         ready.materials.push_back(
             {facts.hardness, facts.roughness, facts.slipperiness, facts.stiffness_N_per_m});
@@ -55,8 +58,7 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
 
 Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     LessonDescription description, const Plan& plan, const dialogue::Catalogue& catalogue,
-    ProgressStore& store, LearnerId learner, std::string lesson_version,
-    std::vector<PastAnswers> past) {
+    ProgressStore& store, LearnerId learner, std::string lesson_version, KnownAtFirst known) {
     auto questions = compile_questions(description);
     if (!questions) {
         return tl::unexpected(questions.error());
@@ -92,9 +94,10 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     if (plan.recogniser && plan.hearing.throat > 0.0) {
         record.settings.emplace_back(kThroat, throat_text(plan.hearing.throat));
     }
-    return std::unique_ptr<LessonSession>(new LessonSession(
-        std::move(description), plan, catalogue, std::move(dialogue),
-        SessionLog(store, std::move(record)), std::move(*knowledge), std::move(past)));
+    SessionLog log(store, std::move(record), !description.is_room);
+    return std::unique_ptr<LessonSession>(
+        new LessonSession(std::move(description), plan, catalogue, std::move(dialogue),
+                          std::move(log), std::move(*knowledge), std::move(known)));
 }
 
 const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
@@ -104,10 +107,12 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     frame_.dt_s = input.dt_s;
     frame_.tool_pose_W = input.hand.tool_pose_W;
     frame_.tool_twist_W = input.hand.tool_twist_W;
+    frame_.buttons = input.hand.buttons;
     frame_.applied_W = input.hand.applied_W;
     frame_.more_hands.clear();
     for (const HapticState& hand : input.more_hands) {
-        frame_.more_hands.push_back({hand.tool_pose_W, hand.tool_twist_W, hand.applied_W});
+        frame_.more_hands.push_back(
+            {hand.tool_pose_W, hand.tool_twist_W, hand.applied_W, hand.buttons});
     }
     if (input.world != nullptr) {
         frame_.bodies.assign(input.world->bodies.begin(),
@@ -120,6 +125,9 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
         }
     }
 
+    std::erase_if(hud_.bursts, [&](const SessionHud::Burst& burst) {
+        return time_s_ - burst.at_s >= kBurstLasts_s;
+    });
     hinges_.take(input, frame_);
     kite_.take(input, frame_);
 
@@ -151,6 +159,9 @@ void LessonSession::queue_world_events(const std::vector<WorldEvent>& events) {
         sounds_.push_back(caught ? catch_sound(event.body) : "landed");
         result_.caught += caught ? 1 : 0;
         if (caught) {
+            if (const auto i = static_cast<std::size_t>(event.body); i < frame_.bodies.size()) {
+                burst(frame_.bodies[i].pose_W.position);
+            }
             tell_about(event.body);
         }
     }
@@ -187,11 +198,33 @@ std::string LessonSession::catch_sound(std::int32_t body) const {
     return "catch_" + description_.bodies[static_cast<std::size_t>(body)].model;
 }
 
+// For the words at the end.
+void LessonSession::count(const MarkedAnswer& answer) {
+    if (answer.feedback.attempt == 1) {
+        ++result_.questions;
+        result_.right_at_first += answer.right ? 1 : 0;
+    }
+    const auto practise = [&](const std::string& right) {
+        std::vector<std::string>& known = result_.to_practise;
+        if (!right.empty() && std::ranges::find(known, right) == known.end()) {
+            known.push_back(right);
+        }
+    };
+    for (const dialogue::FormError& error : answer.mark.form_errors) {
+        // "The" alone says nothing; "the heaviest" does.
+        practise(error.phrase.empty() ? error.right : error.phrase);
+    }
+    for (const dialogue::FreeError& error : answer.feedback.free_errors) {
+        practise(error.right);
+    }
+}
+
 // What the dialogue came to: the lesson is told, and the learner hears, sees and is kept.
 void LessonSession::take(QuestionTurn turn) {
     std::move(turn.events.begin(), turn.events.end(), std::back_inserter(queued_));
     if (turn.answer) {
         transcript_.hear(time_s_, *turn.answer);
+        keep_said(*turn.answer);
         // Praise for a question is said together with its answer.
         if (!asked_for_) {
             talk_.take(*turn.answer);
@@ -204,12 +237,42 @@ void LessonSession::take(QuestionTurn turn) {
     if (turn.answer && turn.answer->feedback.kind != dialogue::FeedbackKind::heard_badly) {
         const MarkedAnswer& answer = *turn.answer;
         sounds_.push_back(answer.right ? "right" : "try_again");
+        hud_.mood = answer.right ? ViewMood::happy : ViewMood::thoughtful;
+        if (answer.right) {
+            burst(frame_.tool_pose_W.position);
+        }
         ++result_.attempts;
         result_.form_errors +=
             static_cast<int>(answer.mark.form_errors.size() + answer.feedback.free_errors.size());
+        count(answer);
         log_.keep_attempt(answer);
     }
     show();
+}
+
+// What was said stands beside the sentence that is told for it.
+void LessonSession::keep_said(const MarkedAnswer& answer) {
+    using Kind = dialogue::FeedbackKind;
+    keep_said(answer.mark.said);
+    const Kind kind = answer.feedback.kind;
+    const bool is_told = answer.accepted ? kind != Kind::praise
+                         : answer.has_more
+                             ? !answer.joined.empty()
+                             : kind == Kind::recast || kind == Kind::rule || kind == Kind::replay;
+    if (is_told) {
+        hud_.told = answer.accepted         ? answer.accepted->emphasised
+                    : answer.joined.empty() ? answer.mark.emphasised
+                                            : answer.joined;
+        std::string right = hud_.told;
+        std::erase(right, '*');
+        hud_.better = emphasise_changes(answer.mark.said, right);
+    }
+}
+
+void LessonSession::keep_said(std::string said) {
+    hud_.said = std::move(said);
+    hud_.better.clear();
+    hud_.told.clear();
 }
 
 // The partner's words, as they come.
@@ -220,6 +283,10 @@ void LessonSession::say_back() {
         }
         transcript_.reply(time_s_, said->reply, said->was_asked);
     }
+}
+
+void LessonSession::burst(const Vector3& at_W) {
+    hud_.bursts.push_back({at_W, time_s_});
 }
 
 void LessonSession::show() {

@@ -35,11 +35,11 @@ namespace fulcrum::runtime {
 
 class LessonSession {
   public:
-    /// Compiles the questions. The store and the catalogue outlive the session. `past`: for a lesson that wants it.
+    /// Compiles the questions. The store and the catalogue outlive the session. `known`: what it asks for.
     [[nodiscard]] static Expected<std::unique_ptr<LessonSession>> create(
         LessonDescription description, const Plan& plan, const dialogue::Catalogue& catalogue,
         ProgressStore& store, LearnerId learner, std::string lesson_version,
-        std::vector<PastAnswers> past = {});
+        KnownAtFirst known = {});
 
     /// Keeps what was chosen for this session and its learner, beside its settings.
     void keep_setting(const std::string& name, const std::string& value) {
@@ -61,6 +61,10 @@ class LessonSession {
     [[nodiscard]] const LessonDescription& description() const { return description_; }
     [[nodiscard]] const SessionHud& hud() const { return hud_; }
     [[nodiscard]] const SessionResult& result() const { return result_; }
+    /// The learner may choose from these: it is told of the play.
+    void tell_offer(const std::vector<AnswerChoice>& choices) {
+        transcript_.offer(time_s_, choices);
+    }
     /// The question that is asked now; null when there is none.
     [[nodiscard]] const dialogue::Question* question() const { return dialogue_.question(); }
     /// What the learner may ask for; nothing for most lessons.
@@ -75,7 +79,7 @@ class LessonSession {
   private:
     LessonSession(LessonDescription description, const Plan& plan,
                   const dialogue::Catalogue& catalogue, QuestionDialogue dialogue, SessionLog log,
-                  std::optional<Knowledge> knowledge, std::vector<PastAnswers> past);
+                  std::optional<Knowledge> knowledge, KnownAtFirst known);
 
     void queue_world_events(const std::vector<WorldEvent>& events);
     void queue_touch_events(const SessionInput& input);
@@ -89,12 +93,18 @@ class LessonSession {
     [[nodiscard]] Expected<void> keep_listening();
     [[nodiscard]] Expected<void> keep_listening_for_asking();
     void take(QuestionTurn turn);
+    void keep_said(const MarkedAnswer& answer);
+    void keep_said(std::string said);
+    void count(const MarkedAnswer& answer);
     void say_back();
+    void burst(const Vector3& at_W);
     void show();
 
     // One for each command a lesson can send; an error when it names something that isn't there.
     Expected<void> carry_out(const MoveCommand& command, SessionOutput& output);
     Expected<void> carry_out(const CoverCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const MarkCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const LightCommand& command, SessionOutput& output);
     Expected<void> carry_out(const TurnCommand& command, SessionOutput& output);
     Expected<void> carry_out(const KiteCommand& command, SessionOutput& output);
     Expected<void> carry_out(const WindCommand& command, SessionOutput& output);
@@ -109,6 +119,8 @@ class LessonSession {
     Expected<void> carry_out(const SoundCommand& command, SessionOutput& output);
     Expected<void> carry_out(const ShowHandCommand& command, SessionOutput& output);
     Expected<void> carry_out(const FinishCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const EnterCommand& command, SessionOutput& output);
+    void finish();
     Expected<void> carry_out(const PrintCommand& command, SessionOutput& output);
 
     LessonDescription description_;

@@ -42,8 +42,8 @@ ErrorRecord to_record(const dialogue::FormError& error) {
 
 }  // namespace
 
-SessionLog::SessionLog(ProgressStore& store, SessionRecord session)
-    : store_(&store), session_(std::move(session)) {
+SessionLog::SessionLog(ProgressStore& store, SessionRecord session, bool keeps)
+    : store_(&store), keeps_(keeps), session_(std::move(session)) {
     keep([&] { return store_->begin_session(session_); });
 }
 
@@ -96,6 +96,9 @@ void SessionLog::keep_end(EndReason reason, int stars, int score, int level) {
 
 // A write whose outcome is unknown may be repeated: it carries its own id.
 void SessionLog::keep(const std::function<Expected<void>()>& write) {
+    if (!keeps_) {
+        return;
+    }
     Expected<void> written = write();
     if (!written) {
         written = write();

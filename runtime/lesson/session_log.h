@@ -17,8 +17,8 @@ namespace fulcrum::runtime {
 
 class SessionLog {
   public:
-    /// Keeps the session's beginning. The store outlives the log.
-    SessionLog(ProgressStore& store, SessionRecord session);
+    /// Keeps the session's beginning, or of one that is none of a learner's, a room, nothing at all. The store outlives the log.
+    SessionLog(ProgressStore& store, SessionRecord session, bool keeps = true);
 
     void keep_attempt(const MarkedAnswer& answer);
     /// Keeps what turned out in the session, before its end; a name once.
@@ -37,6 +37,7 @@ class SessionLog {
     void note(const Error& error);
 
     ProgressStore* store_;
+    bool keeps_;
     SessionRecord session_;
     std::string trouble_;
     bool ended_ = false;

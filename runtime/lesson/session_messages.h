@@ -4,6 +4,7 @@
 #include "haptics/handover/messages.h"
 #include "runtime/lesson/effect_messages.h"
 #include "runtime/scene/lesson_messages.h"
+#include "runtime/scene/view.h"
 
 #include <cstdint>
 #include <optional>
@@ -54,12 +55,30 @@ struct SessionHud {
     bool knows = false;    ///< the lesson answers what is asked
     bool may_ask = false;  ///< likewise, and no question is open
     bool invited = false;  ///< the answer was right; it may be said once more, and need not be
-    std::vector<bool> covered{};  ///< by body: under a cloth
+    std::vector<bool> covered{};     ///< by body: under a cloth
+    std::vector<double> marked_N{};  ///< by body: what is shown to have been felt of it; 0: nothing
+    std::vector<BodyLight> lights{};  ///< by body
     KiteSeen kite{};
+    std::string said{};    ///< what `feedback` answers; empty: nothing was said
+    std::string better{};  ///< the same in good English, with what is other *emphasised*; or empty
+    std::string told{};    ///< the same as `feedback` has it
+    ViewMood mood = ViewMood::calm;  ///< with which `feedback` is said
+    /// Where something was caught or answered rightly, and when, on the lesson's clock; not long ago.
+    struct Burst {
+        Vector3 at_W{Vector3::Zero()};
+        double at_s = 0.0;
+    };
+    std::vector<Burst> bursts{};
     std::optional<Vector3> shown_hand_W{};  ///< where the program's own hand points
 };
 
 /// How one play went; what `fulcrum test` compares with what the lesson expects.
+/// What a lesson may ask for before it begins.
+struct KnownAtFirst {
+    std::vector<PastAnswers> past{};     ///< of its learner, where it wants that
+    std::vector<KnownLesson> lessons{};  ///< of a room
+};
+
 struct SessionResult {
     bool finished = false;
     int stars = 0;
@@ -68,6 +87,11 @@ struct SessionResult {
     int attempts = 0;
     int caught = 0;
     int form_errors = 0;
+    int questions = 0;                       ///< that were answered, each time it was asked
+    int right_at_first = 0;                  ///< of these
+    std::vector<std::string> to_practise{};  ///< what belongs where an error of form was, each once
+    std::optional<std::string>
+        entered{};  ///< of a room: the lesson it was left for; empty: the list of all
 };
 
 }  // namespace fulcrum::runtime

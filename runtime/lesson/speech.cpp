@@ -2,6 +2,7 @@
 
 #include "runtime/lesson/learner_throat.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -114,20 +115,27 @@ std::vector<std::string> Speech::take_troubles() {
 }
 
 void Speech::instruct(std::string_view text) {
-    if (!text.empty() && text != instruction()) {
-        spoken_.emplace_back(text);
+    if (text != instruction() && !(reply_->speaking() && text == last_reply())) {
+        speak(text);
     }
     say_anew(*instruction_, text);
-    reply_is_past_ = true;
+    // Where nothing is to be done the reply may stand on.
+    reply_is_past_ = reply_is_past_ || !text.empty();
     end_past_reply();
 }
 
 void Speech::reply(std::string_view text) {
-    if (!text.empty()) {
-        spoken_.emplace_back(text);
+    if (!(instruction_->speaking() && text == instruction())) {
+        speak(text);
     }
     say_anew(*reply_, text);
     reply_is_past_ = false;
+}
+
+void Speech::speak(std::string_view text) {
+    if (!text.empty() && std::ranges::find(spoken_, text) == spoken_.end()) {
+        spoken_.emplace_back(text);
+    }
 }
 
 void Speech::step(double dt_s) {

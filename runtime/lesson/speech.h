@@ -52,7 +52,8 @@ class Speech {
     /// What somebody should know of who hears, a sentence each, once.
     [[nodiscard]] std::vector<std::string> take_troubles();
 
-    /// What to do now, or a question; empty: nothing. A reply stands on below it until it has stood its reading time.
+    /// What to do now, or a question; empty: nothing. A reply stands on below it until it has stood its reading time, below nothing until
+    /// the next. What stands there and is being read already is not said once more.
     void instruct(std::string_view text);
     /// To the learner's answer; *asterisks* are emphasis.
     void reply(std::string_view text);
@@ -65,6 +66,7 @@ class Speech {
 
   private:
     Speech() = default;
+    void speak(std::string_view text);
     void end_past_reply();
     [[nodiscard]] Expected<void> listen(std::shared_ptr<const dialogue::TemplateSet> templates,
                                         bool hears);

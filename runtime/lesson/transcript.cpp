@@ -21,6 +21,20 @@ void Transcript::ask(double time_s, std::string_view prompt) {
     add(time_s, "asks", prompt);
 }
 
+void Transcript::offer(double time_s, const std::vector<AnswerChoice>& choices) {
+    std::string text;
+    for (const bool right : {true, false}) {
+        for (const AnswerChoice& choice : choices) {
+            if (choice.right == right) {
+                text += (text.empty() ? "" : " ") + choice.said + (right ? " (right)" : "");
+            }
+        }
+    }
+    if (!choices.empty()) {
+        add(time_s, "offers", text);
+    }
+}
+
 void Transcript::hear(double time_s, const MarkedAnswer& answer) {
     add(time_s, "learner", answer.mark.said + " (" + verdict_text(answer) + ")");
 }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "dialogue/partner/partner.h"
+#include "runtime/lesson/answer_choices.h"
 #include "runtime/lesson/question_dialogue.h"
 
 #include <string>
@@ -23,6 +24,8 @@ class Transcript {
     void begin_level(double time_s, int level, std::string_view title);
     void show(double time_s, std::string_view caption);  ///< an empty caption says nothing
     void ask(double time_s, std::string_view prompt);
+    /// Answers to choose from, the right one first.
+    void offer(double time_s, const std::vector<AnswerChoice>& choices);
     void hear(double time_s, const MarkedAnswer& answer);     ///< the learner's words
     void hear_asking(double time_s, std::string_view asked);  ///< what the learner asked
     /// What is said to either; nothing where nothing is.

@@ -143,6 +143,14 @@ Expected<ProgressData> QueuedStore::read(const ProgressFilter& filter) {
     return settle(settings_.patience_s).and_then([&] { return behind_->read(filter); });
 }
 
+Expected<void> QueuedStore::add_class_rows(const ClassRows& rows) {
+    return settle(settings_.patience_s).and_then([&] { return behind_->add_class_rows(rows); });
+}
+
+Expected<ClassRows> QueuedStore::read_classes() {
+    return settle(settings_.patience_s).and_then([&] { return behind_->read_classes(); });
+}
+
 std::optional<Error> QueuedStore::take_trouble() {
     const std::lock_guard lock(mutex_);
     return std::exchange(trouble_, std::nullopt);

@@ -10,7 +10,7 @@
 // What can never be kept (`validate`), or finds the queue full, is refused at once.
 //
 // Thread: one that calls, and its own; the store behind is used by one of them at a time.
-// Cost: a write a copy and a lock held for as long; `enrol`, `read` and `settle` wait for what was taken in before.
+// Cost: a write a copy and a lock held for as long; `enrol`, `read`, those of classes and `settle` wait for what was taken in before.
 #pragma once
 
 #include "runtime/progress/store.h"
@@ -58,6 +58,8 @@ class QueuedStore final : public ProgressStore {
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override;
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override;
     [[nodiscard]] Expected<ProgressData> read(const ProgressFilter& filter) override;
+    [[nodiscard]] Expected<void> add_class_rows(const ClassRows& rows) override;
+    [[nodiscard]] Expected<ClassRows> read_classes() override;
 
     [[nodiscard]] std::optional<Error> take_trouble() override;
     [[nodiscard]] Expected<void> settle(double patience_s) override;

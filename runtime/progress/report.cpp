@@ -1,11 +1,13 @@
 #include "runtime/progress/report.h"
 
+#include "runtime/progress/guest_name.h"
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>
 #include <cctype>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace fulcrum::runtime {
 namespace {
@@ -170,19 +172,26 @@ void add_end(LessonReport& report, const SessionEnd& end) {
     report.best_score = std::max(report.best_score.value_or(end.score), end.score);
 }
 
-std::unordered_map<LearnerId, LearnerTally> tally(const ProgressData& data) {
+// All guests together, whose answers are left out.
+const LearnerId kGuests;
+
+std::unordered_map<LearnerId, LearnerTally> tally(const ProgressData& data,
+                                                  const std::unordered_set<LearnerId>& guests) {
+    const auto owner_of = [&](const SessionRecord& session) -> const LearnerId& {
+        return guests.contains(session.learner) ? kGuests : session.learner;
+    };
     std::unordered_map<LearnerId, LearnerTally> learners;
     std::unordered_map<RecordId, const SessionRecord*> sessions;
     for (const SessionRecord& session : data.sessions) {
         sessions[session.id] = &session;
-        LessonReport& report = learners[session.learner][session.lesson].report;
+        LessonReport& report = learners[owner_of(session)][session.lesson].report;
         ++report.played;
         report.last_played_utc_ms = std::max(report.last_played_utc_ms, session.started_utc_ms);
     }
     const auto lesson_of = [&](const RecordId& session) -> LessonTally* {
         const auto found = sessions.find(session);
         return found == sessions.end() ? nullptr
-                                       : &learners[found->second->learner][found->second->lesson];
+                                       : &learners[owner_of(*found->second)][found->second->lesson];
     };
     for (const SessionEnd& end : data.ends) {
         if (LessonTally* lesson = lesson_of(end.session)) {
@@ -190,24 +199,39 @@ std::unordered_map<LearnerId, LearnerTally> tally(const ProgressData& data) {
         }
     }
     for (const AttemptRecord& attempt : data.attempts) {
-        if (LessonTally* lesson = lesson_of(attempt.session)) {
+        LessonTally* const lesson = lesson_of(attempt.session);
+        if (lesson != nullptr && !guests.contains(sessions[attempt.session]->learner)) {
             lesson->questions[attempt.question].add(attempt);
         }
     }
     return learners;
 }
 
+// Of these, who played what the filter matched.
+std::size_t count_players(const ProgressData& data, const std::unordered_set<LearnerId>& of) {
+    std::unordered_set<LearnerId> players;
+    for (const SessionRecord& session : data.sessions) {
+        if (of.contains(session.learner)) {
+            players.insert(session.learner);
+        }
+    }
+    return players.size();
+}
+
 }  // namespace
 
 Report compute_report(const ProgressData& data, const ProgressFilter& filter) {
-    auto tallies = tally(data);
+    std::unordered_set<LearnerId> guests;
+    for (const Learner& learner : data.learners) {
+        if (filter.nickname.empty() && !filter.each_guest && is_guest_name(learner.nickname)) {
+            guests.insert(learner.id);
+        }
+    }
+    auto tallies = tally(data, guests);
     Report report{filter, {}};
     bool played = false;
-    for (const Learner& learner : data.learners) {
-        if (filter.nickname.empty() && learner.nickname == kSimulatedPupil) {
-            continue;
-        }
-        LearnerReport of_learner{learner, {}};
+    const auto add = [&](const Learner& learner, std::size_t n_guests) {
+        LearnerReport of_learner{learner, {}, n_guests};
         for (auto& [lesson, lesson_tally] : tallies[learner.id]) {
             LessonReport of_lesson = std::move(lesson_tally.report);
             of_lesson.lesson = lesson;
@@ -218,14 +242,25 @@ Report compute_report(const ProgressData& data, const ProgressFilter& filter) {
             played = true;
         }
         report.learners.push_back(std::move(of_learner));
+    };
+    for (const Learner& learner : data.learners) {
+        const bool is_pupil = !filter.nickname.empty() || learner.nickname != kSimulatedPupil;
+        if (is_pupil && !guests.contains(learner.id)) {
+            add(learner, 0);
+        }
+    }
+    if (const std::size_t n_guests = count_players(data, guests); n_guests > 0) {
+        add({kGuests, "Guests (" + std::to_string(n_guests) + ")", 0}, n_guests);
     }
     // A lesson's name with a slip in it: a list of all who have not played it would hide that.
     if (!played && !filter.lesson.empty() && filter.nickname.empty()) {
         report.learners.clear();
     }
     std::sort(report.learners.begin(), report.learners.end(), [](const auto& a, const auto& b) {
-        return std::pair(folded_nickname(a.learner.nickname), a.learner.id) <
-               std::pair(folded_nickname(b.learner.nickname), b.learner.id);
+        const auto place = [](const LearnerReport& one) {
+            return std::tuple(one.guests, folded_nickname(one.learner.nickname), one.learner.id);
+        };
+        return place(a) < place(b);
     });
     return report;
 }

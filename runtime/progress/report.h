@@ -14,7 +14,8 @@
 //   nothing was kept of it.
 //   stuck             wrong_in_a_row ≥ 3: `now` while the last three attempts are not right, else `before`
 //
-// The simulated pupil is no learner of the class: it is left out unless it is asked for by its nickname.
+// The simulated pupil is no learner of the class: it is left out unless it is asked for by its nickname. Guests (guest_name.h) come once each:
+// unless they are asked for, they stand behind the others as one entry, "Guests (12)", with what they played and without their answers.
 //
 // Thread: any. Cost: in proportion to the attempts.
 #pragma once
@@ -97,6 +98,8 @@ struct LearnerReport {
     Learner learner;
     std::vector<LessonReport>
         lessons;  ///< in the order in which they were first played; empty: has not played
+    std::size_t guests =
+        0;  ///< so many guests together, of whom the learner is only the heading; 0: one learner
 };
 
 struct Report {

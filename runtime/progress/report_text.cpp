@@ -160,7 +160,8 @@ void write_table(const LessonReport& lesson, std::string& out) {
     }
 }
 
-void write_lesson(const LessonReport& lesson, const ReportStyle& style, std::string& out) {
+void write_lesson(const LessonReport& lesson, bool with_questions, const ReportStyle& style,
+                  std::string& out) {
     write_wrapped(printable(lesson.lesson) + ": played " + times(lesson.played) + ", finished " +
                       (lesson.finished == 0 ? "not yet" : times(lesson.finished)) + ", last on " +
                       time_cell(lesson.last_played_utc_ms, style),
@@ -171,7 +172,9 @@ void write_lesson(const LessonReport& lesson, const ReportStyle& style, std::str
                           std::to_string(*lesson.best_score),
                       kTableIndent, out);
     }
-    write_table(lesson, out);
+    if (with_questions) {
+        write_table(lesson, out);
+    }
 }
 
 // "(gravity: heavier, said "the egg")".
@@ -221,6 +224,9 @@ std::string to_text(const Report& report, const ReportStyle& style) {
     for (const LearnerReport& learner : report.learners) {
         out += '\n';
         write_wrapped(printable(learner.learner.nickname), 0, out);
+        if (learner.guests > 0) {
+            write_wrapped("each by itself: fulcrum report --guests", kLessonIndent, out);
+        }
         if (learner.lessons.empty()) {
             const std::string lesson = printable(report.filter.lesson);
             write_wrapped(
@@ -228,7 +234,7 @@ std::string to_text(const Report& report, const ReportStyle& style) {
                 kLessonIndent, out);
         }
         for (const LessonReport& lesson : learner.lessons) {
-            write_lesson(lesson, style, out);
+            write_lesson(lesson, learner.guests == 0, style, out);
         }
     }
     return out;

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "runtime/progress/class_list.h"
 #include "runtime/progress/records.h"
 
 #include <memory>
@@ -27,6 +28,7 @@ struct ProgressFilter {
     std::string nickname;       ///< as `enrol` takes it
     std::string lesson;         ///< a lesson's id
     bool results_only = false;  ///< how sessions ended, without what was said in them
+    bool each_guest = false;    ///< of a report: each guest stands there, else all as one
 };
 
 /// Everything that a filter matched, as it stood at one moment, each list in the order of its
@@ -75,6 +77,12 @@ class ProgressStore {
 
     /// Reads one consistent picture. Cost: in proportion to what is kept.
     [[nodiscard]] virtual Expected<ProgressData> read(const ProgressFilter& filter) = 0;
+
+    /// Keeps what is new of classes, all of it or none; their learners must be known. A store without classes refuses it.
+    [[nodiscard]] virtual Expected<void> add_class_rows(const ClassRows& rows);
+
+    /// All that is kept of classes; nothing in a store without them.
+    [[nodiscard]] virtual Expected<ClassRows> read_classes() { return ClassRows{}; }
 
     /// For a store that keeps later: the first write that was taken in and could not be kept, since
     /// this was last asked. Never waits.

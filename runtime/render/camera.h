@@ -62,6 +62,12 @@ class Camera {
     /// Pixels that a metre across the view takes at this depth.
     [[nodiscard]] double px_per_m(double depth_m) const { return focal_px_ / depth_m; }
 
+    /// So many dots are drawn for a pixel's side that is shown (PictureQuality::scale); 1 before.
+    void draw_dots(double per_px) { dots_per_px_ = per_px; }
+    [[nodiscard]] double dots_per_m(double depth_m) const {
+        return dots_per_px_ * px_per_m(depth_m);
+    }
+
   private:
     Vector3 eye_W_;
     Vector3 target_W_;
@@ -72,6 +78,7 @@ class Camera {
     double height_px_ = 1.0;
     double centre_y_px_ = 0.5;
     double focal_px_ = 1.0;
+    double dots_per_px_ = 1.0;
 };
 
 /// The unit normal of the pointer's plane, away from the eye: level, or along the view when looking steeply down or up.

@@ -2,6 +2,9 @@
 
 #include "runtime/render/camera.h"
 #include "runtime/render/gl/frame_target.h"
+#include "runtime/render/overlay/bursts.h"
+#include "runtime/render/overlay/draw_panels.h"
+#include "runtime/render/overlay/find_measure.h"
 #include "runtime/render/overlay/labels.h"
 #include "runtime/render/overlay/menu.h"
 #include "runtime/render/overlay/overlay_pass.h"
@@ -13,6 +16,7 @@
 #include "runtime/render/text/font.h"
 
 #include <algorithm>
+#include <cmath>
 #include <epoxy/gl.h>
 #include <initializer_list>
 #include <optional>
@@ -38,6 +42,12 @@ Expected<void> check(const RendererSettings& settings) {
                     "update the graphics driver or install libgl1-mesa-dri");
     }
     return {};
+}
+
+constexpr double kLeastPicture = 0.25;
+
+int shrink(int side_px, double scale) {
+    return std::max(1, static_cast<int>(std::lround(side_px * std::max(scale, kLeastPicture))));
 }
 
 /// Whatever others left switched on goes off.
@@ -71,10 +81,12 @@ struct Renderer::Parts {
     ScenePainter painter;
     OverlayPass overlay;
     gl::FrameTarget target;
+    gl::FrameTarget coarse;  ///< of a scene that is drawn smaller
     Font font;
     DrawList list;
     MovedPanels moved;
-    ClickBoxes click_boxes;  ///< of the view drawn last
+    std::vector<Box> labelled;  // of the last frame
+    ClickBoxes click_boxes;     ///< of the view drawn last
     std::vector<std::string> notices;
     std::optional<KiteSettings> kite;  ///< as it was drawn last
 
@@ -97,12 +109,45 @@ struct Renderer::Parts {
         if (panels.choices.empty()) {
             return;
         }
-        draw_overlay([&] { draw_choice_papers(view, panels, measure, list); }, width, height);
+        draw_overlay([&] { draw_choice_papers(view, panels.choices, measure, list); }, width,
+                     height);
         glClear(GL_DEPTH_BUFFER_BIT);
         for (std::size_t i = 0; i < panels.choices.size(); ++i) {
             if (!view.choices[i].picture.empty()) {
-                painter.draw_icon(view.choices[i].picture,
+                painter.draw_icon(view.choices[i].picture, view.choices[i].look,
                                   choice_picture(panels.choices[i], measure), width, height);
+            }
+        }
+    }
+
+    /// Into `coarse` or `target`; into that in any case where there are choices, which lie over it as fine as words do.
+    std::vector<SceneLabel> draw_scene(const View& view, const PanelLayout& panels,
+                                       const Measure& measure, const Camera& camera,
+                                       bool is_coarse) {
+        const int width = static_cast<int>(measure.width_px);
+        const int height = static_cast<int>(measure.height_px);
+        auto labels = painter.draw_scene(view, camera, is_coarse ? coarse : target, width, height);
+        labelled = labelled_boxes(labels);
+        if (is_coarse && !panels.choices.empty()) {
+            coarse.resolve_to(target);
+            glViewport(0, 0, width, height);
+        }
+        draw_choices(view, panels, measure, width, height);
+        return labels;
+    }
+
+    /// The list of lessons, but for its words.
+    void draw_menu(const View& view, const MenuLayout& menu, const Measure& measure,
+                   const Camera& camera, int width, int height) {
+        painter.draw_wall(camera, target);
+        draw_overlay([&] { draw_menu_papers(menu, measure, list); }, width, height);
+        for (const MenuCard& card : menu.cards) {
+            const ViewMenuItem& item = view.menu[card.index];
+            for (const auto& [icon, box] :
+                 {std::pair(&item.icon, card.icon), {&item.second_icon, card.second_icon}}) {
+                if (!icon->empty()) {
+                    painter.draw_icon(*icon, "", box, width, height);
+                }
             }
         }
     }
@@ -157,55 +202,60 @@ const std::vector<std::string>& Renderer::notices() const {
 }
 
 MenuLayout Renderer::menu_layout(const View& view, int width, int height) const {
-    const Measure measure(width, height);
-    return lay_out_menu(view, measure, lay_out_panels(view, parts_->font, measure).shown());
+    const Measure measure = find_measure(view, parts_->font, width, height);
+    return lay_out_menu(view, measure, lay_out_panels(view, parts_->font, measure).papers());
 }
 
 const ClickBoxes& Renderer::click_boxes() const {
     return parts_->click_boxes;
 }
 
-void Renderer::draw(const View& view, int width, int height) {
+void Renderer::draw(const View& view, int width, int height, const PictureQuality& quality) {
     if (width <= 0 || height <= 0) {
         return;
     }
     GLint screen = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &screen);
     start_from_known_state();
-    if (!parts_->target.resize(width, height, parts_->settings.samples)) {
+    const bool is_coarse = quality.scale < 1.0 && view.menu.empty();
+    const int samples = is_coarse ? 1 : std::clamp(quality.samples, 1, parts_->settings.samples);
+    if (!parts_->target.resize(width, height, samples) ||
+        (is_coarse &&
+         !parts_->coarse.resize(shrink(width, quality.scale), shrink(height, quality.scale), 1))) {
         glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(screen));
         return;
     }
+    const gl::FrameTarget* drawn = &parts_->target;
 
     parts_->make_kite_ready(view);
     // Words decide how much room is left for cards and labels.
-    const Measure measure(width, height);
-    const Camera camera(view.camera, width, height);
+    const Measure measure = find_measure(view, parts_->font, width, height);
+    parts_->list.colour_by(view.look.high_contrast ? theme::kHighContrast : theme::kUsual);
+    Camera camera(view.camera, width, height);
+    camera.draw_dots(is_coarse ? quality.scale : 1.0);
     const Box hand = view.menu.empty() ? parts_->painter.hand_seen(view, camera) : Box{};
-    const PanelLayout panels = lay_out_panels(view, parts_->font, measure, hand, parts_->moved);
+    const PanelLayout panels =
+        lay_out_panels(view, parts_->font, measure, hand, parts_->moved, parts_->labelled);
     parts_->moved = panels.moved;
     parts_->click_boxes = {panels.input.box, {}, panels.buttons};
     for (const Panel& choice : panels.choices) {
         parts_->click_boxes.choices.push_back(choice.box);
     }
-    const MenuLayout menu = lay_out_menu(view, measure, panels.shown());
+    const MenuLayout menu = lay_out_menu(view, measure, panels.papers());
     std::vector<SceneLabel> labels;
 
     if (view.menu.empty()) {
-        labels = parts_->painter.draw_scene(view, camera, parts_->target, width, height);
-        parts_->draw_choices(view, panels, measure, width, height);
+        labels = parts_->draw_scene(view, panels, measure, camera, is_coarse);
+        drawn = is_coarse && panels.choices.empty() ? &parts_->coarse : drawn;
     } else {
-        parts_->painter.draw_wall(camera, parts_->target);
-        parts_->draw_overlay([&] { draw_menu_papers(menu, measure, parts_->list); }, width, height);
-        for (const MenuCard& card : menu.cards) {
-            parts_->painter.draw_icon(view.menu[card.index].icon, card.icon, width, height);
-        }
+        parts_->draw_menu(view, menu, measure, camera, width, height);
     }
 
-    parts_->target.resolve_to(static_cast<GLuint>(screen));
+    drawn->resolve_to(static_cast<GLuint>(screen), width, height);
     glViewport(0, 0, width, height);
     const auto words = [&] {
-        draw_labels(place_labels(labels, panels.shown(), parts_->font, measure), measure,
+        draw_bursts(view.bursts, camera, measure, parts_->list);
+        draw_labels(place_labels(labels, panels.shown(), parts_->font, measure, hand), measure,
                     parts_->list);
         if (!view.menu.empty()) {
             draw_menu_words(view, menu, measure, parts_->list);

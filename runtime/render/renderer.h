@@ -4,7 +4,7 @@
 //   shadow map -> lit scene (4 samples a pixel, linear light) -> resolve to sRGB -> words and
 //   panels on top
 //
-// The picture depends on the View alone: nothing moves by itself, the same View gives the same
+// The picture depends on View and quality alone: nothing moves by itself, the same View gives the same
 // picture.
 // Thread: the one that holds the context. Cost: one pass over each model's triangles for the shadow
 // and one for the picture; memory for 4 samples of colour and depth a pixel.
@@ -12,6 +12,7 @@
 
 #include "haptics/base/error.h"
 #include "runtime/render/overlay/menu.h"
+#include "runtime/render/picture_quality.h"
 #include "runtime/scene/model.h"
 #include "runtime/scene/view.h"
 
@@ -27,7 +28,7 @@ namespace fulcrum::runtime {
 struct RendererSettings {
     /// Where Andika-Regular.ttf and Andika-Bold.ttf lie.
     std::filesystem::path font_folder{"/usr/share/fonts/truetype/andika"};
-    int samples = 4;             ///< a pixel, 1 to 16; fewer when the driver has fewer
+    int samples = 4;             ///< a pixel at most, 1 to 16; fewer when the driver has fewer
     int shadow_map_size = 1024;  ///< texels a side, 64 to 4096
 };
 
@@ -61,7 +62,7 @@ class Renderer {
     /// Draws the whole frame into the framebuffer that is bound for drawing, from its lower left
     /// corner, `width` x `height` pixels; does nothing when a side is not positive. Things with a
     /// number that is not finite are left out.
-    void draw(const View& view, int width, int height);
+    void draw(const View& view, int width, int height, const PictureQuality& quality = {});
 
     /// Where `draw` puts the cards of a view's list of lessons; for what a pointer means.
     [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const;

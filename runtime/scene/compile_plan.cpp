@@ -181,7 +181,7 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         add("speech", "microphone", 100.0, "somebody is there to speak", line_of_dialogue(lesson));
     }
     if (plan.picture) {
-        add("picture", "scene", 60.0, "there is somebody to see it", 0);
+        add("picture", "scene", 60.0, "there is somebody to see it (--picture)", 0);
     }
     if (plan.sound) {
         add("sound", "mixer", 100.0, "there is somebody to hear it", 0);

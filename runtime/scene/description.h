@@ -102,6 +102,7 @@ struct BodyDescription {
     BodyShape felt_as = BodyShape::model;      ///< what is made of the felt one
     BodyShape collides_as = BodyShape::model;  ///< what is made of the simulated one
     ShadingSettings shading{};  ///< its facets are felt as one even surface, as far as its creases
+    double seen_scale = 1.0;    ///< of what cannot be touched: times its model
 };
 
 /// The body with what the hand feels of it as its model.
@@ -300,6 +301,8 @@ struct LessonDescription {
     std::vector<KnowledgeDescription> knowledge;
     bool wants_past =
         false;  ///< world:recall(): what this learner has answered in earlier sessions
+    bool is_room =
+        false;  ///< world:room(): other lessons are entered from it, and nothing of it is kept
     std::vector<LessonTestDescription> tests;
     std::string icon{};      ///< the model that its card shows; empty: what the learner will hold
     std::int32_t order = 0;  ///< where its card stands; 0: behind those that say so

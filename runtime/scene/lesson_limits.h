@@ -14,6 +14,7 @@ inline constexpr std::size_t kMostLevelBytes = 16;
 inline constexpr double kMostMinutes = 1000.0;
 inline constexpr double kLeastForceLimit_N = 0.5;
 inline constexpr double kMostForceLimit_N = 10.0;
+inline constexpr double kMostMark_N = 1000.0;  ///< that is shown beside a thing
 
 // A simulated hand.
 inline constexpr double kFarthestAim_m =

@@ -8,6 +8,7 @@
 
 #include "haptics/handover/messages.h"
 #include "runtime/effect/kite/kite_messages.h"
+#include "runtime/scene/body_light.h"
 
 #include <cstdint>
 #include <optional>
@@ -83,6 +84,16 @@ struct PastAnswers {
 };
 inline constexpr std::size_t kMaxPastAnswers = 2000;
 
+/// A lesson that can be entered from a room.
+struct KnownLesson {
+    std::string name;  ///< of its folder
+    std::string title;
+    std::string level;       ///< CEFR; empty: it says nothing
+    std::string icon;        ///< a model
+    std::int32_t stars = 0;  ///< this learner's best, 0 to 3; -1: never played to its end
+};
+inline constexpr std::size_t kMaxKnownLessons = 500;
+
 /// The plan is compiled: what each body weighs in the hand, and what each material is like. Sent once, before the first
 /// frame.
 struct ReadyEvent {
@@ -91,6 +102,7 @@ struct ReadyEvent {
     std::vector<MaterialGrades> materials{};  ///< one a material of the description
     double day = 0.0;                         ///< today: days since noon of 1 January 2000
     std::vector<PastAnswers> past{};          ///< where the description wants it, the newest last
+    std::vector<KnownLesson> lessons{};       ///< of a room, in their order
 };
 
 using LessonEvent =
@@ -110,7 +122,8 @@ struct HingeState {
 struct HandFrame {
     Pose tool_pose_W{};
     Twist tool_twist_W{};
-    Wrench applied_W{};  ///< what it is given
+    Wrench applied_W{};         ///< what it is given
+    std::uint32_t buttons = 0;  ///< one bit a button
 };
 
 /// Everything the lesson needs to know for one frame.
@@ -120,6 +133,7 @@ struct LessonFrame {
     Pose tool_pose_W{};
     Twist tool_twist_W{};
     Wrench applied_W{};                 ///< what the hand is given
+    std::uint32_t buttons = 0;          ///< of its device, one bit each
     std::vector<HandFrame> more_hands;  ///< those beside it that somebody moves
     std::vector<BodyState> bodies;      ///< in the order of the scene
     std::vector<HingeState> hinges;     ///< of the bodies that have one, in their order
@@ -139,6 +153,16 @@ struct MoveCommand {
 struct CoverCommand {
     std::int32_t body = kNoBody;
     bool covered = true;
+};
+/// Shows beside a body that stands there what was felt of it, newtons; 0 takes that away.
+struct MarkCommand {
+    std::int32_t body = kNoBody;
+    double felt_N = 0.0;
+};
+/// Lights a body up, from now on.
+struct LightCommand {
+    std::int32_t body = kNoBody;
+    BodyLight light = BodyLight::off;
 };
 /// Sets what is given of a body on a hinge.
 struct TurnCommand {
@@ -187,6 +211,10 @@ struct SoundCommand {
 struct FinishCommand {
     std::int32_t stars = 0;  ///< 0 to 3
 };
+/// This lesson, a room, is left for another one, named as in KnownLesson; empty: for the list of all.
+struct EnterCommand {
+    std::string lesson;
+};
 /// Shows the program's own hand there, or takes it away: it shows what to do, and touches nothing.
 struct ShowHandCommand {
     std::optional<Vector3> at_W;
@@ -200,7 +228,7 @@ using LessonCommand =
     std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand, CaptionCommand, AskCommand,
                  VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand,
                  PrintCommand, CoverCommand, TurnCommand, KiteCommand, WindCommand, TellCommand,
-                 ShowHandCommand>;
+                 ShowHandCommand, EnterCommand, MarkCommand, LightCommand>;
 
 /// Where a simulated hand wants to be.
 struct HandAim {

@@ -28,6 +28,10 @@ inline constexpr std::string_view kSecondToolModel = "the tool in the second han
 
 /// The program's own hand, which shows what to do: its first finger's tip is where it points.
 inline constexpr std::string_view kHandModel = "hand";
+/// The pupil's, where a lesson names no tool.
+inline constexpr std::string_view kCursorModel = "cursor";
+/// Both: the radius of the fingertip, in the model's own size.
+inline constexpr double kFingertip_m = 0.0095;
 
 /// A cloth over a body of that radius: what a covered body is drawn as.
 inline constexpr std::string_view kClothModel = "cloth";

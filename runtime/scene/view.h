@@ -2,7 +2,9 @@
 #pragma once
 
 #include "haptics/math/spatial.h"
+#include "runtime/scene/body_light.h"
 #include "runtime/scene/description.h"
+#include "runtime/scene/screen_settings.h"
 
 #include <cstdint>
 #include <optional>
@@ -16,9 +18,9 @@ struct ViewBody {
     std::string model;  ///< name of a model
     Pose pose_W{};
     Vector3 scale{Vector3::Ones()};  ///< squash and stretch
-    double highlight = 0.0;          ///< 0 to 1: a calm outline
-    std::string look;                ///< what it is made of, "wood"; empty: as the model is painted
-    std::string label;               ///< small text beside it, e.g. "apple"; empty for none
+    BodyLight light = BodyLight::off;
+    std::string look;    ///< what it is made of, "wood"; empty: as the model is painted
+    std::string label;   ///< small text beside it, e.g. "apple"; empty for none
     bool marked = true;  ///< the floor below it says where it is, by a mark and a shadow
 };
 
@@ -48,12 +50,21 @@ struct ViewTorque {
     ViewForce force{};                ///< its text is the torque's
 };
 
-/// An entry of the list of lessons.
+/// A setting at one of its steps, drawn as a sign.
+struct ViewSetting {
+    SettingKind kind{};
+    int step = 0;
+};
+
+/// An entry of the list of lessons, or of the settings.
 struct ViewMenuItem {
     std::string title;
-    std::string subtitle;  ///< level and minutes
-    std::string icon;      ///< name of a model drawn small
-    int stars = -1;        ///< the learner's most, 0 to 3; -1: never played to its end
+    std::string subtitle;       ///< level and minutes
+    std::string icon;           ///< name of a model drawn small
+    int stars = -1;             ///< the learner's most, 0 to 3; -1: never played to its end
+    std::string second_icon{};  ///< beside the first, where there are two
+    bool leads_back = false;    ///< an arrow instead of a model
+    std::optional<ViewSetting> setting{};  ///< its sign instead of a model
 };
 
 /// Whether somebody may speak, and how loud it is.
@@ -67,7 +78,8 @@ struct ViewMicrophone {
 /// An answer to choose.
 struct ViewChoice {
     std::string said;
-    std::string picture;  ///< name of a model drawn small before it; empty for none
+    std::string picture{};  ///< name of a model drawn small before it; empty for none
+    std::string look{};     ///< what that is made of, as a ViewBody's
 };
 
 /// A part of the force that is felt.
@@ -85,8 +97,18 @@ struct ViewWhy {
     std::vector<ViewShare> shares;  ///< the strongest first
 };
 
+/// Where something was caught or answered rightly, and how long ago.
+struct ViewBurst {
+    Vector3 at_W{Vector3::Zero()};
+    double age_s = 0.0;  ///< below kBurstLasts_s
+};
+inline constexpr double kBurstLasts_s = 0.8;
+
+/// How the helper looks that speaks: after a right answer, after another one, else.
+enum class ViewMood : std::uint8_t { calm, happy, thoughtful };
+
 /// What a click in the corner does, as keys do.
-enum class ScreenButton : std::uint8_t { pause, say_again, ask, why };
+enum class ScreenButton : std::uint8_t { pause, say_again, ask, why, settings, leave };
 
 struct View {
     double time_s = 0.0;
@@ -102,17 +124,21 @@ struct View {
     ViewForce force{};
     std::vector<ViewTorque> torques;  ///< of bodies on hinges, where something presses or hangs
     std::vector<ViewForce> forces;    ///< that are compared: drawn to one scale
+    std::vector<ViewForce> marks;     ///< remembered, each ends at `at_W`: as long as if felt now
     std::optional<KiteSettings> kite_design{};  ///< what kKiteModel is like
+    std::vector<ViewBurst> bursts;
+    ViewMood mood = ViewMood::calm;
+    bool speaks = false;  ///< a voice is heard
     std::string title;
-    std::string caption;  ///< the one instruction
-    std::string
-        feedback;  ///< what was answered to the learner; words between asterisks are emphasised
+    std::string caption;   ///< the one instruction
+    std::string feedback;  ///< what was answered; words between asterisks are emphasised
     bool input_visible = false;
     std::string input;                ///< what the learner is typing
     std::vector<ViewChoice> choices;  ///< answers to choose from, above the line to type in
     int chosen = -1;                  ///< of these; -1: none
     ViewMicrophone microphone{};
     ViewWhy why{};
+    std::vector<bool> lights;  ///< of the bodies offered or lit, in their order: is it lit?
     int score = 0;
     int level = 0;
     std::string level_title;
@@ -124,6 +150,9 @@ struct View {
     std::vector<ViewMenuItem> menu;  ///< the list of lessons, instead of a scene
     int menu_selected = 0;
     int menu_first_row = 0;  ///< the row of cards to show first, where the chosen card allows it
+    bool menu_is_small = false;  ///< cards so small that those of a class stand on one picture
+    ViewLook look{};
+    std::string end_note{};  ///< below the stars: why these
 };
 
 }  // namespace fulcrum::runtime

@@ -13,6 +13,16 @@ bool is_invisible(char32_t c) {
            (c >= 0xFE00 && c <= 0xFE0F) || (c >= 0xE000 && c <= 0xF8FF) || c >= 0xE0000;
 }
 
+/// Persian and the scripts of India write with them: ZWNJ keeps letters apart, ZWJ joins them.
+bool is_joiner(char32_t c) {
+    return c == 0x200C || c == 0x200D;
+}
+
+/// The text ends in a letter of a script that has joiners: Arabic and those behind it, to the Khmer.
+bool joins_letters(const std::u32string& text) {
+    return !text.empty() && text.back() >= 0x600 && text.back() < 0x1880;
+}
+
 }  // namespace
 
 std::u32string decode_for_display(std::string_view utf8) {
@@ -22,7 +32,7 @@ std::u32string decode_for_display(std::string_view utf8) {
         at += bytes;
         if (c == U'\t' || c == 0xA0) {
             text.push_back(U' ');
-        } else if (c == U'\n' || !is_invisible(c)) {
+        } else if (c == U'\n' || !is_invisible(c) || (is_joiner(c) && joins_letters(text))) {
             text.push_back(c);
         }
     }

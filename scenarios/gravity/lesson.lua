@@ -5,6 +5,7 @@
 
 local game = require "game"
 local know = require "know"
+local shelf = require "shelf"
 local story = require "story"
 local wait, wait_for = story.wait, story.wait_for
 
@@ -15,7 +16,7 @@ local L = lesson {
 
 -- Of what is not made of one material nobody can say what it is made of, nor how it feels.
 know.things(L, { made_of = false, is_made_of = false, feel = false, is_it = false })
-know.words(L, { "newton", "weight", "gravity", "force" })
+know.words(L, { "newton", "weight", "gravity", "force", "weigh", "bucket" })
 
 -- True masses in kilograms. `exaggeration` makes the felt weights easy to tell apart; Fulcrum then shrinks all of them by
 -- one factor until they fit under the arm's limit. With a limit of 10 N the apple weighs 6 N in the hand and the egg 3 N.
@@ -28,12 +29,13 @@ local fruit = {
   banana     = { a = "a banana",     mass = 0.12,   exaggeration = 3.5, radius = 0.045, drag_area = 0.004,
                  about = "Bananas grow where it is hot." },
   egg        = { a = "an egg",       mass = 0.0612, exaggeration = 5.0, radius = 0.026, drag_area = 0.001,
-                 about = "A hen laid this egg." },
+                 about = "An egg comes from a bird." },
 }
 
--- What falls in each level, and what is asked then.
+-- What falls in each level, and what is asked then. What was caught stands on a shelf. In the first level it shows at once what was felt of
+-- it, so that newtons get a meaning; from the second on not before it is felt again, or the arrows would answer instead of the hand.
 local levels = {
-  { title = "Two things",   falls = { "apple", "egg" },                         asks = { "heavier" } },
+  { title = "Two things",   falls = { "apple", "egg" },                         asks = { "heavier" }, shows = true },
   { title = "Three things", falls = { "egg", "banana", "apple" },               asks = { "heaviest" } },
   { title = "Four things",  falls = { "banana", "watermelon", "egg", "apple" }, asks = { "heaviest", "lightest" } },
 }
@@ -62,6 +64,7 @@ function L:start(world)
       mass = f.mass, exaggeration = f.exaggeration, radius = f.radius, drag_area = f.drag_area, about = f.about,
     }
   end
+  shelf.build(L, world, { at = { 0, 0.36, -0.3 } })
   game.play(L, world, function() play(world) end)
 end
 
@@ -131,7 +134,7 @@ L:question "lightest" {
 -- Lets a body fall until it is caught, then lets its weight be felt. Who misses it often is told how, then shown where to wait, and
 -- in the end it is put into the bucket.
 local tells_after, shows_after, gives_after = 3, 6, 10   -- times
-local function catch(world, body)
+local function catch(world, body, shows)
   local a = fruit[body.name].a
   local missed, event = 0, nil
   repeat
@@ -159,7 +162,7 @@ local function catch(world, body)
   world:caption("This is " .. a .. ". Feel how heavy it is.")
   wait(3)
   world:caption ""
-  world:release()
+  shelf.put(body, { hidden = not shows })
   wait(0.6)
 end
 
@@ -167,17 +170,16 @@ end
 local function weigh(world, things)
   for _, body in ipairs(things) do
     world:caption("Feel " .. fruit[body.name].a .. ".")
-    body:hold()
-    wait(2.5)
-    world:release()
+    shelf.feel(body, 2.5)
     wait(0.8)
   end
 end
 
--- What is weighed against the right one: what was said instead of it, else another thing that was caught.
+-- What is weighed against the right one: what was said instead of it, where that was caught, else another thing.
 local function contrast(answer, right)
-  local said = bodies[answer.thing]
-  if said and said ~= right then return said end
+  for _, body in ipairs(in_play) do
+    if body ~= right and body == bodies[answer.thing] then return body end
+  end
   return in_play[1] ~= right and in_play[1] or in_play[2]
 end
 
@@ -195,8 +197,9 @@ local function play_level(world, number)
   local level = levels[number]
   world:level(number, level.title)
   in_play = {}
+  shelf.clear()
   for _, name in ipairs(level.falls) do in_play[#in_play + 1] = bodies[name] end
-  for _, body in ipairs(in_play) do catch(world, body) end
+  for _, body in ipairs(in_play) do catch(world, body, level.shows) end
   for _, question in ipairs(level.asks) do
     ask(world, question, question == "lightest" and lightest or heaviest)
   end

@@ -12,6 +12,15 @@ return function(L, kite)
     L:knows(id) { asked = asked, nearly = nearly, examples = examples, answer = answer, lists = lists }
   end
 
+  -- What is told is what the hand gets; where the line is felt milder than it is, its own pull beside it.
+  local function pull_at_hand(world)
+    local felt, true_pull = world:tool().force, kite().pull
+    if felt < least then return "The line does not pull now." end
+    local told = ("The line pulls your hand with %.1f newtons"):format(felt)
+    local is_milder = math.abs(true_pull - felt) > 0.1 * true_pull + 0.2
+    return is_milder and ("%s, and on a real kite with %.1f."):format(told, true_pull) or told .. "."
+  end
+
   knows("this",
     { "what is (this|that|it)", "what am I holding", "what do I have in my hand" }, {},
     { right = { "What is this?" }, other = { "what is it made of" } },
@@ -73,7 +82,7 @@ return function(L, kite)
     { "how hard does (it|the kite|the line) pull", "how strong is the pull [of the (line|kite)]" },
     { "how (strong|hard) (it|the kite|the line) (pull|pulls)", "how strong does (it|the kite|the line) pull" },
     { right = { "How hard does the line pull?" }, form = { "how hard the kite pulls" } },
-    function() return kite().pull < least and "The line does not pull now." or ("The line pulls with %.1f newtons."):format(kite().pull) end)
+    function(_, world) return pull_at_hand(world) end)
 
   knows("holds",
     { "what holds (it|the kite) up", "which force holds (it|the kite) up", "why does (it|the kite) fly", "what keeps (it|the kite) up" },
@@ -86,14 +95,15 @@ return function(L, kite)
       "how much {force} (is there|does (it|the kite) have)" },
     { "how (big|strong|large|much) (the {force}|{force}) [is]", "how many (newton|newtons) (the {force}|{force}) (is|has|have)" },
     { right = { "How big is the lift?", "how big is the drag", "how strong is the tension" }, form = { "how big lift is", "how strong the drag is" } },
-    function(a)
-      local newtons = kite()[a.force == "tension" and "pull" or a.force]
+    function(a, world)
+      if a.force == "tension" then return pull_at_hand(world) end
+      local newtons = kite()[a.force]
       if newtons >= least then return ("The %s is %.1f newtons."):format(a.force, newtons) end
       if a.force == "lift" then return "There is no lift now: the air does not hold it up." end
       return ("There is hardly any %s now."):format(a.force)
     end,
     { force = { "lift", "drag", "weight", "tension" } })
 
-  know.words(L, { "lift", "drag", "weight", "tension", "newton", "force", kite = "A kite is a light thing of cloth and sticks that flies on a line.",
-    tail = "A tail is what hangs at the end of a kite and keeps it steady.", knot = "A knot is where the line is tied to the kite." })
+  know.words(L, { "arrow", "lift", "drag", "metre", "weight", "tension", "tie", "newton", "force", "weigh", "wheel", kite = "A kite is a light thing of cloth and sticks that flies on a line.",
+    tail = "A tail is what hangs at the end of a kite and keeps it straight.", diamond = "A diamond is a square that stands on a corner.", knot = "A knot is where the line is tied to the kite." })
 end

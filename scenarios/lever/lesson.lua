@@ -175,7 +175,9 @@ L:knows "length" {
   answer = function() return ("The lever is %s long, from the Earth to its other end."):format(length(end_x - earth_x)) end,
 }
 
-know.words(L, { "lever", "support", "torque", "arm", "force", "newton", "weight" })
+know.words(L, {
+  "lever", "support", "torque", "arm", "arrow", "force", "newton", "weight", "weigh", "toy", "metre", "millimetre", "multiply",
+})
 
 L:knows "force" {
   asked = { "how much force do I need", "how strong must I be", "how many newtons do I need", "how hard must I press" },

@@ -111,9 +111,11 @@ L:knows "gate" {
 }
 
 know.words(L, {
+  "adjective", "arrow", "bow", "bucket", "centimetre", "gentle", "metre", "plural", "seesaw", "swing", "tower", "toy", "weigh",
+  kite = "A kite is a light thing of cloth and sticks that flies on a line.",
   maze = "A maze is a place with many ways, and most of them lead nowhere.",
   hedge = "A hedge is a wall of green plants.",
-  gem = "A gem is a stone that shines.",
+  gem = "A gem is a beautiful stone.", gate = "A gate is a door in a wall or a hedge.",
   ["dead end"] = "A dead end is a way that goes no further.",
   castle = "A castle is a big old house of stone.",
 })

@@ -116,7 +116,7 @@ answers.side_or_pole = {
 
 answers.harder = {
   answers = {
-    "[the] {planet} is <comparative:hard> [to turn] [than [the] {other}]", "[the] {planet} feels <comparative:hard> [to turn] [than [the] {other}]",
+    "[the] {planet} is <comparative:hard> to turn [than [the] {other}]", "[the] {planet} is <comparative:hard> [than [the] {other}]", "[the] {planet} feels <comparative:hard> [to turn] [than [the] {other}]",
     "[the] {planet} is <comparative:difficult> [to turn] [than [the] {other}]", "[the] {planet} is the <comparative:hard> one [to turn]",
     "it is (<comparative:hard>|<comparative:difficult>) to turn [the] {planet} [than [the] {other}]", "the (<comparative:hard>|<comparative:difficult>) one [to turn] is [the] {planet}",
     "[the] {planet} turns (more slowly|slower) [than [the] {other}]", "turning [the] {planet} is (<comparative:hard>|<comparative:difficult>) [than turning [the] {other}]",

@@ -11,7 +11,7 @@ local also = {
   Mercury = { celsius = 167, gravity = 3.7, colour = "grey", stuff = "rock and iron" },
   Venus = { celsius = 464, gravity = 8.9, colour = "yellow", stuff = "rock and iron", why = "of its thick clouds" },
   Earth = { celsius = 15, gravity = 9.8, colour = "blue", stuff = "rock and iron", why = "of its seas", moons_called = "the Moon" },
-  Mars = { celsius = -65, gravity = 3.7, colour = "red", stuff = "rock and iron", why = "there is rust in its dust", moons_called = "Phobos and Deimos" },
+  Mars = { celsius = -65, gravity = 3.7, colour = "red", stuff = "rock and iron", why = "there is rust on its ground", moons_called = "Phobos and Deimos" },
   Jupiter = { celsius = -110, gravity = 23.1, colour = "brown and white", stuff = "gas, hydrogen and helium", why = "of its clouds",
               rings = "thin rings of dust", moons_called = "Io, Europa, Ganymede and Callisto" },
   Saturn = { celsius = -140, gravity = 9.0, colour = "yellow", stuff = "gas, hydrogen and helium", why = "of its clouds",

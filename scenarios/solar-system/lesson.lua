@@ -3,9 +3,12 @@
 -- The answer keys are the planets' facts (scripts/lib/planets.lua) and the simulation: which push turns more follows from the
 -- lever arms that the hand had, which planet is harder to turn from the inertia that it felt.
 
+local about = require "about"
 local answers = require "answers"
+local choose = require "choose"
 local game = require "game"
 local know = require "know"
+local known = require "known"
 local numbers = require "numbers"
 local planets = require "planets"
 local story = require "story"
@@ -14,17 +17,22 @@ local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wai
 local L = lesson { id = "solar-system", title = "Can you turn a planet?", icon = "saturn", order = 3, level = "A2", minutes = 15, free_english = true }
 
 local middle = { 0, 0.37, -0.25 }  -- of the Sun; so far back that all ways stand above what is written
-local near = { 0, 0.5, 0.3 }      -- where a planet is looked at and turned
+local eye = { 0, 1.15, 1.5 }
+local near = { 0, 0.5, 0.3 }      -- where a planet is turned
+local visited = { 0, 0.45, -1.1 }  -- where it is looked at: behind any hand that has chosen it
+local aside = { -0.56, 0.5, 0.3 }  -- where the Earth stands that it is compared with
 
 local sun, star
 local small = {}     -- name -> body: on its way round the Sun
 local ways = {}      -- name -> body: the line along which it goes
 local big = {}       -- name -> body: seen from near, and turned by the hand
+local earth_aside    -- seen beside it
+local moon, small_moon   -- from near, and on its way
 
 -- Nothing here has its true size or distance: Neptune would be 3200 times as far from the Sun as the Sun is wide.
 local function way_of(place) return 0.06 + 0.095 * place end
 local function small_radius(name)
-  return 0.014 * (planets.facts(name).radius / planets.facts("Earth").radius) ^ 0.45
+  return 0.014 * (known.facts(name).radius / planets.facts("Earth").radius) ^ 0.45
 end
 local function big_radius(name)
   return 0.08 + 0.08 * (planets.facts(name).radius / planets.facts("Earth").radius) ^ (1 / 3)
@@ -36,7 +44,7 @@ end
 
 function L:start(world)
   world:space()
-  world:camera { eye = { 0, 1.15, 1.5 }, target = { 0, 0.42, 0 }, angle = 38 }
+  world:camera { eye = eye, target = { 0, 0.42, 0 }, angle = 38 }
   world:hand { centre = { 0, 0.5, 0.5 }, scale = 3 }
   -- Rough enough to take a planet along, and felt as it passes.
   local ground = world:material {
@@ -50,11 +58,16 @@ function L:start(world)
     small[name] = world:body { name = model .. "-far", noun = name, model = model, radius = small_radius(name), movable = true }
     big[name] = world:body {
       name = model, noun = name, model = model, radius = big_radius(name), solid = true, material = ground, at = near,
-      hinge = { axis = { 0, 1, 0 }, inertia = felt_inertia(name), friction = 0.004 }, about = (require "about")[name],
+      hinge = { axis = { 0, 1, 0 }, inertia = felt_inertia(name), friction = 0.004 }, about = about[name].touched,
     }
     big[name]:hide()
   end
+  earth_aside = world:body { name = "earth-aside", noun = "Earth", model = "earth", radius = big_radius "Earth", movable = true }
   star = world:body { name = "star", model = "star", radius = 0.03 }
+  -- As grey and full of craters as Mercury; beside the Earth as large as it is.
+  local beside_earth = known.facts "Moon".radius / known.facts "Earth".radius
+  moon = world:body { name = "moon", noun = "Moon", model = "mercury", radius = beside_earth * big_radius "Earth", movable = true }
+  small_moon = world:body { name = "moon-far", noun = "Moon", model = "mercury", radius = small_radius "Moon", movable = true }
   game.play(L, world, function() play(world) end)
 end
 
@@ -62,10 +75,20 @@ end
 
 local shown_day      -- nil: the planets are not seen from far
 
+local function round(at, way, degrees)
+  local angle = math.rad(degrees)
+  return { at[1] + way * math.cos(angle), at[2], at[3] - way * math.sin(angle) }
+end
+
+-- The Moon's mean longitude, at most 8 degrees from the true one: J. Meeus, "Astronomical algorithms", 1998, equation 47.1.
+local function moon_longitude(day) return 218.3164477 + 481267.88123421 / 36525 * day end
+local moon_way = 0.034
+
 local function place_planets(day)
   for i, name in ipairs(planets.names) do
-    local angle = math.rad(planets.longitude(name, day))
-    small[name]:place { at = { middle[1] + way_of(i) * math.cos(angle), middle[2], middle[3] - way_of(i) * math.sin(angle) } }
+    local at = round(middle, way_of(i), planets.longitude(name, day))
+    small[name]:place { at = at }
+    if name == "Earth" then small_moon:place { at = round(at, moon_way, moon_longitude(day)) } end
   end
 end
 
@@ -80,6 +103,7 @@ local function hide_sky()
   shown_day = nil
   sun:hide()
   for _, body in pairs(small) do body:hide() end
+  small_moon:hide()
   for _, way in pairs(ways) do way:hide() end
 end
 
@@ -95,10 +119,13 @@ local function let_go_by(days, seconds)
 end
 
 local shown   -- the planet that is seen from near
-local function look_at(name)
+local function look_at(name, at)
   if shown then big[shown]:hide() end
   shown = name
-  if name then big[name]:place { at = near } end
+  if name then
+    big[name]:place { at = at or near }
+    big[name]:turn { spin = at and 25 or 0 }
+  end
 end
 
 -- ---- what the hand does ---------------------------------------------------------------------------------------------------
@@ -151,7 +178,7 @@ end
 
 local tell, n_told = require "asked" (L, function() return shown end)
 know.words(L, {
-  "arm", "axis", "inertia", "planet", "pole", "torque", orbit = "An orbit is the way of a planet round its star.",
+  "arm", "axis", "cloud", "dust", "inertia", "kilogram", "kilometre", "lever", "metre", "newton", "planet", "pole", "rust", "thick", "torque", "weigh", orbit = "An orbit is the way of a planet round its star.",
   ["solar system"] = "A solar system is a star with all that goes round it.",
 })
 
@@ -222,6 +249,19 @@ local function reply_to(asked, world)
   return tell(about[asked.distance and "far" or asked.quality or asked.time] or "moons", asked.planet, world)
 end
 
+local function light_all(how)
+  for _, name in ipairs(planets.names) do small[name]:light(how) end
+end
+
+-- One after the other, from the Sun outwards.
+local function count_planets()
+  light_all "offered"
+  for _, name in ipairs(planets.names) do
+    small[name]:light "lit"
+    wait(0.7)
+  end
+end
+
 local function sky(world)
   world:level(1, "Today's sky")
   look_at(nil)
@@ -234,37 +274,75 @@ local function sky(world)
   world:caption "The far planets are slow."
   let_go_by(half_year, 4)
   game.ask("planets", {
-    hint = "Count them: Mercury, Venus, Earth, Mars …",
+    hint = "Count them: they light up.",
+    again = count_planets,
     solution = function() return "There are " .. numbers.word(#planets.names) .. " planets." end,
   })
+  light_all "off"
+end
+
+local function visit(world, name)
+  hide_sky()
+  small[name]:light "lit"
+  look_at(name, visited)
+  if name == "Earth" then moon:place { at = { visited[1] + 0.3, visited[2] + 0.05, visited[3] } } end
+  world:caption((about[name].seen:gsub("MOONS", moons_of(name))))
+  wait(4)
+  if name == "Earth" then
+    game.ask("moons_earth", {
+      hint = "You see it at night.",
+      solution = function() return sentence("the Earth has " .. moons_of "Earth") end,
+    })
+    moon:hide()
+  elseif name == "Mars" then
+    game.ask("moons_mars", {
+      hint = "They are called Phobos and Deimos.",
+      solution = function() return sentence("Mars has " .. moons_of "Mars") end,
+    })
+  end
+  look_at(nil)
+  show_sky(world.day)
+end
+
+-- The learner chooses where to go next. Who does not choose is led to those that are asked about.
+local function tour(world)
+  show_sky(world.day)
+  light_all "offered"
+  local to_see, to_ask = { table.unpack(planets.names) }, { "Earth", "Mars" }
+  local missed = false
+  while #to_see > 0 do
+    local offered = {}
+    for i, name in ipairs(to_see) do offered[i] = small[name] end
+    world:caption(#to_see == #planets.names and "Where do you want to go first? Go to a planet, and stay there."
+      or "Where do you want to go next?")
+    local chosen = choose.one(world, offered, {
+      eye = eye, again = missed, hint = "Put your hand on a planet that has a line around it. Stay there.",
+    })
+    missed = not chosen
+    local name = chosen and chosen.noun or to_ask[1]
+    if not name then return end
+    if missed then
+      world:caption("Let's go to " .. called(name) .. ".")
+      wait(2)
+    end
+    for _, names in ipairs { to_see, to_ask } do
+      for i, each in ipairs(names) do
+        if each == name then table.remove(names, i) break end
+      end
+    end
+    visit(world, name)
+  end
 end
 
 local function closer(world)
   world:level(2, "A closer look")
-  hide_sky()
-  look_at "Earth"
-  big.Earth:turn { spin = 25 }
-  world:caption("This is the Earth. It turns once a day. It has " .. moons_of "Earth" .. ".")
-  wait(4)
-  game.ask("moons_earth", {
-    hint = "You see it at night.",
-    solution = function() return sentence("the Earth has " .. moons_of "Earth") end,
-  })
-  look_at "Mars"
-  big.Mars:turn { spin = 25 }
-  world:caption("This is Mars, the red planet. It has " .. moons_of "Mars" .. ", and both are small.")
-  wait(4)
-  game.ask("moons_mars", {
-    hint = "They are called Phobos and Deimos.",
-    solution = function() return sentence("Mars has " .. moons_of "Mars") end,
-  })
+  tour(world)
+  light_all "off"
   local before = n_told()
   local asked = game.ask("your_turn", { hint = "Say: How many moons does Saturn have?" })
+  hide_sky()
   local planet = asked.planet
-  if planet and big[planet] then
-    look_at(planet)
-    big[planet]:turn { spin = 25 }
-  end
+  if planet and big[planet] then look_at(planet, near) end
   if planet and n_told() == before then world:caption(reply_to(asked, world)) end
   wait(5)
 end
@@ -282,7 +360,6 @@ end
 local function turning(world)
   world:level(3, "Turn a planet")
   look_at "Earth"
-  big.Earth:turn { spin = 0 }
   push_at_side(world, "Push on! The blue bar is the arm. Force times arm is the torque: it turns the planet.")
   push_at_pole(world, "Push on! Near the pole the arm is short, so the torque is small.")
   game.ask("side_or_pole", {
@@ -297,11 +374,13 @@ local function turning(world)
   world:caption "This is Jupiter. No hand can turn a true planet: we made the Earth easy to turn, and Jupiter too, but less easy."
   wait(3)
   push_at_side(world)
+  earth_aside:place { at = aside }
   game.ask("harder", {
     hint = "Jupiter has 318 times the mass of the Earth.",
     again = function() push_at_side(world) end,
     solution = "Jupiter is harder to turn: it has more inertia.",
   })
+  earth_aside:hide()
 end
 
 function play(world)

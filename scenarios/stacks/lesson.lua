@@ -10,7 +10,7 @@ local wait, wait_until, wait_with_help = story.wait, story.wait_until, story.wai
 local L = lesson { id = "stacks", title = "Blocks", icon = "box", order = 7, level = "A1", minutes = 10, free_english = true }
 
 know.things(L)
-know.words(L, { "newton", "weight" })
+know.words(L, { "button", "newton", "tall", "tower", "weigh", "weight", lift = "To lift a thing is to move it up." })
 
 local edge = 0.08             -- of the cubes, metres
 local lifted = 0.04           -- so high above where it lay a block is lifted
@@ -116,7 +116,7 @@ L:question "between" {
 L:question "on_top" {
   prompt = "Where is the wooden block now?",
   again = "Look at both blocks.",
-  answers = { "[(it|the (wooden|wood) (block|one)) is] {place} [the] {thing}", "(it|the (wooden|wood) (block|one)) (lies|stands|sits|rests) {place} [the] {thing}",
+  answers = { "(it|the (wooden|wood) (block|one)) is {place} [the] {thing}", "{place} [the] {thing}", "(it|the (wooden|wood) (block|one)) (lies|stands|sits|rests) {place} [the] {thing}",
               "[<wooden> <is>] on top of the {thing:lower}", "[<wooden> <is>] on the top of the {thing:lower}", "[<wooden> <is>] below the {thing:upper}", "[<wooden> <is>] next to the {thing:side}", "[<wooden> <is>] (on|to) the {hand} of the {thing}",
               "[<wooden> <is>] {alone}", "[it <is>] {it}", "(I|we) put it {place} the {thing}", "(I|we) put it on top of the {thing:lower}",
               "[(it|the (wooden|wood) (block|one)) is] (at|on) the {end} [of the tower]", "[(it|the (wooden|wood) (block|one)) is] {elsewhere}",

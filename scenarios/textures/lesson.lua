@@ -14,6 +14,7 @@ local L = lesson {
   feedback = { "recast", "prompt", "replay", "rule" },   -- when an error comes again, the hand strokes the block once more
 }
 
+know.words(L, { "stroke", "tap", lift = "To lift a thing is to move it up." })
 know.things(L, { weight = false })   -- how heavy these are nobody felt
 
 local names = { "metal", "wood", "rock" }
@@ -43,6 +44,9 @@ local things = {
   { name = "table",     material = "wood",  above = 0.062 },
   { name = "statue",    material = "rock",  above = 0.080 },
 }
+
+local thing_names = {}
+for i, thing in ipairs(things) do thing_names[i] = thing.name end
 
 local top = 0.3                     -- of the board on which everything stands
 local places = { -0.2, 0, 0.2 }   -- left, middle, right
@@ -106,20 +110,37 @@ local function feel(world, body)
   })
 end
 
--- Nothing is moved where a hand is: it is led up first, above everything.
+-- Nothing is put where a hand is: one that is lower than what will stand there is led up first, above everything.
 local clear = top + 0.2
-local function hands_off(world)
-  if world:tool().y < clear then
+local function is_clear(world, coming)
+  local hand = world:tool()
+  for x, body in pairs(coming) do
+    local near = math.max(math.abs(hand.x - x), math.abs(hand.z)) < body.radius + 0.05
+    if near and hand.y < top + 2 * body.radius + 0.03 then return false end
+  end
+  return true
+end
+
+-- `coming`: what will stand where, by its x.
+local function hands_off(world, coming)
+  if not is_clear(world, coming) then
     world:caption "Lift your hand."
     guide:move { at = { 0, clear + 0.04, 0 } }
     guide:on()
     repeat   -- as long as it takes
-    until wait_with_help(world, function() return world:tool().y >= clear end, {
+    until wait_with_help(world, function() return is_clear(world, coming) end, {
       hint = "Go up, above everything.", show = { { 0, top + 0.1, 0 }, { 0, clear + 0.05, 0 } },
     })
     guide:off()
   end
   world:caption ""
+end
+
+-- Bodies by the x of the place where each stands, from the left.
+local function at_places(bodies, in_order)
+  local coming = {}
+  for i, name in ipairs(in_order) do coming[places[i]] = bodies[name] end
+  return coming
 end
 
 -- Leads the hand over a body and lets go of it there.
@@ -266,7 +287,7 @@ end
 
 local function under_a_cloth(world)
   world:level(2, "Under a cloth")
-  hands_off(world)
+  hands_off(world, at_places(blocks, names))
   for _, name in ipairs(names) do blocks[name]:cover() end
   shuffle()
   wait(1.5)
@@ -276,7 +297,7 @@ local function under_a_cloth(world)
     world:caption(turn == 1 and "Feel what is under this cloth." or "And under this cloth? Feel it.")
     feel(world, hidden)
     ask(world, "under", hidden, "Is it rough or smooth?", "It is " .. hidden.material.name .. ".")
-    hands_off(world)
+    hands_off(world, { [hidden.x] = hidden })
     hidden:uncover()
     world:sound "pop"
     wait(1)
@@ -285,7 +306,7 @@ end
 
 local function things_made(world)
   world:level(3, "Things")
-  hands_off(world)
+  hands_off(world, at_places(made, thing_names))
   for _, name in ipairs(names) do blocks[name]:hide() end
   for i, thing in ipairs(things) do
     made[thing.name]:place { at = { places[i], top + thing.above, 0 } }
@@ -310,7 +331,7 @@ end
 
 function play(world, round)
   if round > 1 then
-    hands_off(world)
+    hands_off(world, at_places(blocks, names))
     begin_again()
   end
   seen(world)

@@ -53,7 +53,7 @@ end
 
 -- Where what a thing is called by comes from, if it is called by what it is made of: a block of wood that is just "wood".
 local comes_from = {
-  wood = "Wood comes from trees.", metal = "Metal comes from stones that are melted.", rock = "Rock is what mountains are made of.",
+  wood = "Wood comes from trees.", metal = "Metal comes from stones in a very hot fire.", rock = "Rock comes from under the ground.",
   rubber = "Rubber comes from the juice of a tree, or from oil.", glass = "Glass is made from sand.", ice = "Ice is frozen water.",
 }
 
@@ -67,7 +67,7 @@ local degrees = {
 local function compare(material, other, adjective)
   local of, sign = table.unpack(degrees[adjective])
   local more = sign * (material[of] - other[of])
-  if math.abs(more) < 0.01 then return ("No, they are equally %s."):format(adjective) end
+  if math.abs(more) < 0.01 then return ("No, one is as %s as the other."):format(adjective) end
   return more > 0 and "Yes, it is." or "No, it isn't."
 end
 
@@ -207,23 +207,50 @@ function know.things(lesson, options)
   end
 end
 
--- What the words of physics mean that lessons use.
+-- What words of physics, and others that are no common ones, mean where lessons use them.
 local glossary = {
+  adjective = "An adjective is a word such as big or red.",
   arm = "An arm is how far a force is from the support of a lever.",
+  arrow = "An arrow shows a direction.",
   axis = "An axis is a line that a thing turns about.",
+  bow = "A bow is a nice knot.",
+  bucket = "A bucket is a thing to carry water in.",
+  button = "A button is a small thing to press.",
+  centimetre = "A centimetre is short: a hundred of them make a metre.",
+  cloud = "A cloud is what brings the rain.",
   drag = "Drag is the force of the air that pushes a kite along with the wind.",
+  dust = "Dust is very small pieces of dirt.",
   force = "A force is a push or a pull.",
+  gentle = "Gentle means not strong.",
   gravity = "Gravity is the pull of the Earth. It makes things fall.",
   inertia = "Inertia makes a thing hard to move and hard to stop.",
+  kilogram = "A kilogram is the mass of a big bottle of water.",
+  kilometre = "A kilometre is a thousand metres.",
   lever = "A lever is a bar that turns on a support.",
   lift = "Lift is the force of the air that holds a kite up.",
+  metre = "A metre is as long as a very big step.",
+  millimetre = "A millimetre is very short: a thousand of them make a metre.",
+  multiply = "To multiply two by three is to count two three times: it makes six.",
   newton = "A newton is what we measure forces in. A small apple weighs about one newton.",
   planet = "A planet is a big ball that goes round a star.",
+  plural = "A plural is a word for more than one thing, such as apples.",
   pole = "A pole is a place where the axis of a planet comes out.",
+  rust = "Rust is what old iron becomes in air and water. It is red.",
+  seesaw = "A seesaw is a long board on which two children go up and down.",
+  stroke = "To stroke a thing is to move the hand along it.",
   support = "A support is what a lever lies and turns on.",
+  swing = "To swing is to move from side to side.",
+  tall = "A tall thing goes high up.",
+  tap = "To tap a thing is to hit it softly.",
   tension = "Tension is the pull in a line that is tight.",
+  thick = "Thick means not thin.",
+  tie = "To tie a thing is to hold it with a knot.",
   torque = "Torque is force times arm. It makes things turn.",
+  tower = "A tower is high, and not wide.",
+  toy = "A toy is a thing to play with.",
+  weigh = "To weigh a thing is to find out how heavy it is.",
   weight = "Weight is how hard the Earth pulls a thing. We measure it in newtons.",
+  wheel = "A wheel is round, and it turns.",
 }
 
 -- How to ask what a word of `list` means, which is said with an article, as "a lever", or without, as "drag"; few ways, for a lesson may know
@@ -238,8 +265,10 @@ local function asked_words(list, slot, with_article, asked, nearly)
   nearly[#nearly + 1] = ("what (%s (mean|means|is)|(mean|means|is mean) %s|(do|does|is) %s (mean|means))"):format(any, any, any)
 end
 
---- Lets a learner ask what words mean: those of physics that stand here, by name, and others of your own, `{ "lever", gem = "A gem is a nice stone." }`.
---- Here stand arm, axis, drag, force, gravity, inertia, lever, lift, newton, planet, pole, support, tension, torque and weight. A word whose
+--- Lets a learner ask what words mean: those that stand here, by name, and others of your own, `{ "lever", gem = "A gem is a nice stone." }`.
+--- Here stand adjective, arm, arrow, axis, bow, bucket, button, centimetre, cloud, drag, dust, force, gentle, gravity,
+--- inertia, kilogram, kilometre, lever, lift, metre, millimetre, multiply, newton, planet, plural, pole, rust, seesaw, stroke,
+--- support, swing, tall, tap, tension, thick, tie, torque, tower, toy, weigh, weight and wheel. A word whose
 --- meaning begins with "A" or "An" is asked for with an article ("What is a gem?"), any other without ("What is lift?").
 ---@param lesson Lesson
 ---@param words table

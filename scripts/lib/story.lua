@@ -75,6 +75,7 @@ end
 
 local help_options = { hint = "string", show = "table", seconds = "number", again = "boolean" }
 local hint_after, show_after, left_after = 20, 40, 60   -- seconds, of which the learner has nothing to do with the lesson's own waiting
+local in_vain, most_in_vain = 0, 2                      -- how often running nothing was done, and of that what counts
 local way_seconds, stay_seconds = 1.2, 0.6              -- from one place to the next, and there
 
 local function check_help(called, help)
@@ -103,7 +104,8 @@ end
 --- Waits until the learner has done something, and never for ever: after 20 seconds `hint` is said, after 40 the program's own hand
 --- goes along the places of `show` as the learner's should, and after 60 (or `seconds`) it gives false: then do it for the learner, or
 --- go on without. Where things may have moved, `show` is a function that gives the places of now.
---- Who was helped just before (`again`) is shown at once.
+--- Who was helped just before (`again`) is shown at once. Who let that time go by the last time is helped after half of it, and then
+--- after a quarter, until something is done.
 ---
 ---   local done = story.wait_with_help(world, function() return ball.y > 0.3 end, {
 ---     hint = "Hold the button on the ball, and go up.",
@@ -117,11 +119,12 @@ function story.wait_with_help(world, test, help)
   if type(world) ~= "userdata" then mistake("story.wait_with_help takes the world first; got " .. shown(world)) end
   check_test("story.wait_with_help", test)
   check_help("story.wait_with_help", help)
+  local hurry = 2 ^ in_vain
   local passed, hinted, shows = help.again and show_after or 0, help.again, false
   local last = help.seconds or left_after
   local done = test()
   while not done and passed < last do
-    passed = passed + next_frame "story.wait_with_help"
+    passed = passed + hurry * next_frame "story.wait_with_help"
     done = test()
     if not done and help.hint and not hinted and passed >= hint_after then
       hinted = true
@@ -130,10 +133,11 @@ function story.wait_with_help(world, test, help)
     if not done and help.show and passed >= show_after then
       shows = true
       local places = type(help.show) == "function" and help.show() or help.show
-      world:show_hand { at = place_on_way(places, passed - show_after) }
+      world:show_hand { at = place_on_way(places, (passed - show_after) / hurry) }
     end
   end
   if shows then world:hide_hand() end
+  in_vain = done and 0 or math.min(in_vain + 1, most_in_vain)
   return done and true or false
 end
 
@@ -227,6 +231,12 @@ function story.wait_for(...)
   end
 end
 
+local n_asking = 0   -- stories that wait for an answer
+
+--- Does a story wait for the answer to a question just now?
+---@return boolean
+function story.is_asking() return n_asking > 0 end
+
 --- Asks a question and waits until the answer has been marked and answered to; a wrong answer is an answer too: ask again
 --- until `answer.over`.
 ---@param world World
@@ -238,7 +248,10 @@ function story.ask(world, question)
       .. shown(world) .. " and " .. shown(question))
   end
   world:ask(question)
-  return story.wait_for { "answered", question = question }
+  n_asking = n_asking + 1
+  local answer = story.wait_for { "answered", question = question }
+  n_asking = n_asking - 1
+  return answer
 end
 
 return setmetatable(story, {

@@ -44,6 +44,7 @@ local Lesson = {}
 ---@field day number days; today, since noon of 1 January 2000, as planets.day counts; tests and simulated hands have 22 June 2026
 ---@field past table[] what this learner has answered before, where L:start calls world:recall(); see bank
 ---@field touched Body the solid body that the tool touches or touched last; nil before
+---@field lessons table[] of a room: the lessons that can be entered, in their order, each with name, title, level, icon (a model) and stars, this learner's best, -1 where it was never played to its end
 local World = {}
 
 ---The learner's hand: what world:hand { … } gives.
@@ -54,17 +55,12 @@ local Hand = {}
 
 ---A thing in the scene.
 ---@class Body
----@field angle number degrees; of a body on a hinge: how far it is turned
----@field spin number degrees per second; of a body on a hinge
----@field inertia number kilogram square metres; of a body on a hinge, about its axis where that lies now
----@field torque number newton metres; of the hand about a hinge: lever arm × force, counter-clockwise above 0
----@field arm number metres; how far the hand's force passes from the hinge; 0 when nothing presses
----@field load_torque number newton metres; of what hangs on a body about its hinge
 ---@field name string
 ---@field noun string the English noun
 ---@field mass number kilograms; the true mass
 ---@field weight number newtons; the true weight: mass × gravity
 ---@field felt_weight number newtons; what the hand feels of it
+---@field radius number metres; as declared
 ---@field material Material|nil what it is made of; nil when it has no material
 ---@field covered boolean under a cloth
 ---@field position Vector metres; {x, y, z}
@@ -76,6 +72,12 @@ local Hand = {}
 ---@field x number metres; to the right
 ---@field y number metres; up
 ---@field z number metres; towards the viewer
+---@field angle number degrees; of a body on a hinge: how far it is turned
+---@field spin number degrees per second; of a body on a hinge
+---@field inertia number kilogram square metres; of a body on a hinge, about its axis where that lies now
+---@field torque number newton metres; of the hand about a hinge: lever arm × force, counter-clockwise above 0
+---@field arm number metres; how far the hand's force passes from the hinge; 0 when nothing presses
+---@field load_torque number newton metres; of what hangs on a body about its hinge
 local Body = {}
 
 ---What a body is made of: what world:material { … } gives, and body.material. Its numbers are those of the surface that the hand feels.
@@ -101,6 +103,7 @@ local Material = {}
 ---@field position Vector metres; {x, y, z}
 ---@field force number newtons; how strongly the hand is pushed or pulled
 ---@field turn Vector degrees; how the hand is turned, not what it presses against a body: about this direction, by as much as it is long
+---@field pressed boolean its first button is held, the mouse's or Shift where keys move it
 ---@field torque number newton metres; how strongly the hand is turned, with a tool in it; at most 0.3
 local Tool = {}
 
@@ -272,6 +275,7 @@ function World:camera(options) end
 ---@field noun? string English noun, as answers give it; the name by default, "" for scenery that no answer names; seen beside a movable body, and beside a solid one where it is not just its name; of at most 64 letters
 ---@field model? string model to draw, see Models; the name by default
 ---@field radius? number in metres, 0.001 to 10; default 0.05
+---@field scale? number how large a thing that can't be touched is drawn, times its model; 0.01 to 100; default 1
 ---@field mass? number the true mass; in kilograms, 0 to 10000; default 1
 ---@field exaggeration? number felt weight / true weight, before all are made to fit the arm; 0 to 100; default 1
 ---@field movable? boolean may fall, be caught and be held; default false
@@ -474,6 +478,13 @@ function World:find(name) end
 ---@return Tool
 function World:tool() end
 
+---Other lessons are entered from here: world.lessons has them, world:enter goes there, and who leaves one comes back. Nothing of a room itself is kept as progress.
+function World:room() end
+
+---Leaves a room for another lesson.
+---@param lesson? string its name in world.lessons; "" is the list of all; of at most 1000 letters
+function World:enter(lesson) end
+
 ---@class DropOptions
 ---@field at? Vector|Body|Tool where it is now by default; in metres, -10000 to 10000
 ---@field velocity? Vector|Body|Tool at first; in metres per second, -1000 to 1000; default {0, 0, 0}
@@ -494,6 +505,14 @@ function Body:hide() end
 
 ---Lays it into the tool, so that its weight is felt.
 function Body:hold() end
+
+---Shows beside it what was felt of it, as an arrow like the hand's, while it stands there.
+---@param newtons? number 0 takes it away; in newtons, 0 to 1000; default 0
+function Body:mark(newtons) end
+
+---Lights it up. Above the scene stand as many signs as bodies are offered or lit, hidden ones too, those of lit ones filled, and how many they are.
+---@param light string "offered": it may be chosen, a line goes round it; "lit": it shines; "off", "offered" or "lit"
+function Body:light(light) end
 
 ---Lays a cloth over it: it is not seen, and felt as before.
 function Body:cover() end

@@ -24,7 +24,7 @@ file(GLOB curve_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/curves/*.cpp
 fulcrum_leave_out(curve_sources)
 fulcrum_join_sources(curve_sources curves ${curve_sources})
 add_executable(fulcrum_bench ${CMAKE_CURRENT_LIST_DIR}/harness/main.cpp ${curve_sources} ${peer_sources})
-target_link_libraries(fulcrum_bench PRIVATE fulcrum_bench_harness fulcrum_stability_cases fulcrum::scene fulcrum::lua fulcrum::dialogue fulcrum::link fulcrum::link_judge fulcrum::lesson ${sphinx} fulcrum::audio fulcrum::progress fulcrum::text ${peer_libraries})
+target_link_libraries(fulcrum_bench PRIVATE fulcrum_bench_harness fulcrum_stability_cases fulcrum::scene fulcrum::lua fulcrum::dialogue fulcrum::link fulcrum::link_judge fulcrum::lesson ${sphinx} fulcrum::audio fulcrum::render fulcrum::progress fulcrum::text ${peer_libraries})
 target_precompile_headers(fulcrum_bench REUSE_FROM fulcrum_pch)
 target_compile_definitions(fulcrum_bench PRIVATE FULCRUM_MISSING_PEERS="${missing_peers}" FULCRUM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 set_target_properties(fulcrum_bench PROPERTIES OUTPUT_NAME fulcrum-bench RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})

@@ -77,7 +77,7 @@ runtime::View question() {
 
 runtime::View recast() {
     runtime::View view = question();
-    view.bodies[3].highlight = 1.0;
+    view.bodies[3].light = BodyLight::offered;
     view.feedback = "Yes. A watermelon is *the heaviest*.";
     view.caption = "Now say the whole sentence again.";
     view.input = "";

@@ -10,7 +10,7 @@ BEGIN {
     home["^GLFW/"] = "^runtime/render/glfw/"
     home["^epoxy/"] = "^runtime/render/"
     home["^(EGL|GL)/"] = "^runtime/render/"
-    home["^(ft2build|freetype)"] = "^runtime/render/text/"
+    home["^(ft2build|freetype|hb|fribidi|fontconfig)"] = "^runtime/render/text/"
     home["^AL/"] = "^runtime/audio/openal/"
     home["^(lua|lauxlib|lualib)"] = "^runtime/lua/"
     home["^sqlite3"] = "^runtime/progress/sqlite/"

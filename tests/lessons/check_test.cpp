@@ -67,3 +67,37 @@ TEST_CASE("check: what was found is told again until something changes, or it is
     sandbox.write("x/lesson.lua", "-- mended\n" + text);
     check_run(sandbox.run("check x"), 0, {"nothing has changed"});
 }
+
+TEST_CASE("check: each word that the seven lessons show is common, or named or taught there") {
+    const Sandbox sandbox;
+    for (const char* lesson :
+         {"gravity", "textures", "solar-system", "lever", "kite", "maze-park", "stacks"}) {
+        const ProgramRun run = sandbox.run(std::string("check ") + lesson);
+        INFO(run.output);
+        CHECK(run.exit_code == 0);
+        CHECK(run.output.find("no common word") == std::string::npos);
+    }
+}
+
+TEST_CASE("check: a word that is not common is told with its line, once, unless it is taught") {
+    const Sandbox sandbox;
+    const auto check = [&](const std::string& level, const std::string& taught) {
+        sandbox.write("own/lesson.lua",
+                      "local L = lesson { id = 'own', title = 'Own', level = '" + level + "' }\n" +
+                          taught +
+                          "\nfunction L:start(world)\n"
+                          "  world:caption \"The walrus is big.\"\n"
+                          "  world:caption \"Walruses like London.\"\nend\nreturn L\n");
+        return sandbox.run("check own --quick").output;
+    };
+    for (const char* level : {"A1", "A2"}) {
+        const std::string told = check(level, "");
+        CHECK_THAT(told, Catch::Contains("lesson.lua:4: \"walrus\" in \"The walrus is big.\" is no "
+                                         "common word for level " +
+                                         std::string(level)));
+        CHECK(told.find("lesson.lua:5") == std::string::npos);
+    }
+    CHECK(check("A1", "require('know').words(L, { walrus = 'A walrus is a big animal.' })")
+              .find("common word") == std::string::npos);
+    CHECK(check("B1", "").find("common word") == std::string::npos);
+}

@@ -21,6 +21,19 @@ std::vector<std::string> lessons() {
     return names;
 }
 
+void check_ends(const std::string& by) {
+    for (const std::string& lesson : lessons()) {
+        if (by == "idle" && lesson == "science-room") {
+            continue;  // a room ends where somebody enters a lesson
+        }
+        const Sandbox sandbox;
+        const ProgramRun run = sandbox.run("test " + lesson + " --by " + by);
+        INFO(lesson << ": " << run.output);
+        CHECK(run.exit_code == 0);
+        CHECK(run.output.find(lesson + ": passed by " + by) != std::string::npos);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("every lesson: its own test passes by arm, by mouse and by keyboard") {
@@ -44,6 +57,18 @@ TEST_CASE("every lesson: nobody stays blocked who errs in half of the answers, o
             CHECK(run.exit_code == 0);
         }
     }
+}
+
+TEST_CASE("every lesson: a finger on a screen comes to its end") {
+    check_ends("touch");
+}
+
+TEST_CASE("every lesson: a clumsy hand comes to its end, whatever it answers") {
+    check_ends("clumsy");
+}
+
+TEST_CASE("every lesson: so does who moves nothing") {
+    check_ends("idle");
 }
 
 TEST_CASE("every lesson: who plays at a desk gives the same bytes twice, and feels no force") {

@@ -75,6 +75,50 @@ TEST_CASE("kite: a kite of a teacher's own flies, snaps, and comes down without 
               {}, {"true\t0.0"});
 }
 
+TEST_CASE(
+    "kite: what a lesson is told of the pull at the hand is what is sent behind the last gate") {
+    const Sandbox sandbox;
+    sandbox.write("own/lesson.lua", R"(
+local L = lesson { id = 'own', title = 'Own kite' }
+local kite
+function L:start(world) world:wind { speed = 6 } kite = world:kite { line = 15, felt = 0.5 } end
+function L:update(world)
+  if world.time > 10 then print(("told %.4f %.4f %.4f"):format(world.time, world:tool().force, kite.pull)) end
+end
+return L)");
+    sandbox.write("own/hand.lua", "return function() return 0, 1.2, 0 end\n");
+    const ProgramRun run =
+        sandbox.run("run own --headless --seconds 12 --hand own/hand.lua --record r.rec");
+    const Record record = read_run(sandbox.path("r.rec"));
+    // A frame is told the newest round, at most one frame old.
+    constexpr double kFrame_s = 1.0 / 60.0;
+    std::istringstream lines(run.output);
+    int n = 0;
+    double time_s = 0.0;
+    double told_N = 0.0;
+    double line_N = 0.0;
+    for (std::string line; std::getline(lines, line);) {
+        if (std::sscanf(line.c_str(), "told %lf %lf %lf", &time_s, &told_N, &line_N) != 3) {
+            continue;
+        }
+        double least_N = 1e9;
+        double most_N = 0.0;
+        for (const RecordSample& sample : record.samples) {
+            if (std::abs(sample.time_s - time_s) <= kFrame_s) {
+                const double sent_N = sample.applied_W.force.norm();
+                least_N = std::min(least_N, sent_N);
+                most_N = std::max(most_N, sent_N);
+            }
+        }
+        INFO(line);
+        CHECK(told_N >= least_N - 1e-3);
+        CHECK(told_N <= most_N + 1e-3);
+        CHECK(told_N < 0.75 * line_N);  // not the line's own
+        ++n;
+    }
+    CHECK(n > 60);
+}
+
 TEST_CASE("kite: a mistake in a kite is told with file and line") {
     const Sandbox sandbox;
     const ProgramRun run = fly(sandbox, "kite = world:kite { bridle = 0.5 }", "");

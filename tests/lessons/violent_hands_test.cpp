@@ -70,14 +70,18 @@ struct Played {
 void play(const Sandbox& sandbox, const std::string& lesson, const std::string& hand,
           Played& played) {
     sandbox.write("violent.lua", hand);
-    const ProgramRun run =
-        sandbox.run("run " + lesson + " --headless --hand violent.lua --seconds 75 --record a.rec");
+    const ProgramRun run = sandbox.run(
+        "run " + lesson + " --headless --hand violent.lua --seconds 120 --record a.rec");
     INFO(lesson << ": " << run.output);
     REQUIRE(run.exit_code == 0);
     const Record record = read_run(sandbox.path("a.rec"));
     CHECK(find_trouble(record) == "");
     ++played.runs;
-    played.felt += std::ranges::any_of(record.samples, is_felt, &RecordSample::applied_W) ? 1 : 0;
+    const bool felt = std::ranges::any_of(record.samples, is_felt, &RecordSample::applied_W);
+    played.felt += felt ? 1 : 0;
+    if (!felt) {
+        std::printf("%s: no force was felt\n", lesson.c_str());
+    }
     played.guarded += std::ranges::any_of(record.samples,
                                           [](const RecordSample& sample) {
                                               return any(sample.faults & (Fault::hand_too_fast |

@@ -122,7 +122,8 @@ inline LessonDescription full_description() {
                     {"how heavy {thing}"},
                     {{"how heavy is the apple"}, {"how heavy is apple"}, {"how big is it"}},
                     {{"which", "the first one"}}}};
-    d.wants_past = true;
+    d.wants_past = d.is_room = true;
+    d.bodies[1].seen_scale = 0.25;
     d.tests = {{"sweep.lua",
                 {"an apple"},
                 LearnerRates{0.25, 0.5, 0.125},
@@ -165,11 +166,14 @@ inline LessonReply full_reply() {
                   FinishCommand{3},
                   PrintCommand{"hi\tthere"},
                   CoverCommand{1, true},
+                  MarkCommand{1, 2.5},
+                  LightCommand{1, BodyLight::lit},
                   TurnCommand{0, 0.5, std::nullopt, Vector3(0.1, 0, 0), 4.0},
                   KiteCommand{KiteSettings{.tail_m = 4.0}, 0.5, 25.0, true, true},
                   WindCommand{8.5},
                   TellCommand{"weight", "2 newtons."},
-                  ShowHandCommand{Vector3(0.1, 0.2, 0.3)}};
+                  ShowHandCommand{Vector3(0.1, 0.2, 0.3)},
+                  EnterCommand{"gravity"}};
     r.has_hand_target = true;
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;
@@ -214,7 +218,9 @@ inline LessonFrame full_frame() {
                            0.5,
                            {{0.75, 0.5, 0.25}},
                            9669.0,
-                           {{"lever", "near_far", 3, 2, 1, 0.5, {{"article", 4}}}}}};
+                           {{"lever", "near_far", 3, 2, 1, 0.5, {{"article", 4}}}},
+                           {{"lever", "Lift it!", "A2", "lever", -1}}}};
+    f.buttons = 5;
     f.events.push_back(AskedEvent{"weight", {{"thing", "apple"}}});
     f.only_asks = true;
     return f;

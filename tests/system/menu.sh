@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # menu.sh PROGRAM ROOT: points at the list of lessons in a real window, on a screen of its own. A click between the cards
-# does nothing; a click on a card plays its lesson, and no other; escape goes back to the list and then leaves.
+# does nothing; a click on a card plays its lesson, and no other; escape goes back to the list and then leaves. The last card is the next guest,
+# who is another learner than the one before.
 set -euo pipefail
 program=$1
 root=$2
@@ -22,7 +23,7 @@ until_true() {
 }
 said() { grep -qF -- "$1" "$folder/said"; }
 ended() { ! kill -0 "$child" 2>/dev/null; }
-# Cards are 281 wide and 20 apart, the first at 48, in a window of 1280 x 720 with four lessons.
+# Cards are 360 wide and 20 apart, three and two in a row, in a window of 1280 x 720 with four lessons; the fifth is a guest's.
 click_at() { xdotool mousemove "$1" "$2" sleep 0.2 click 1; }
 
 # The first escape stops the arm, the second leaves.
@@ -35,7 +36,7 @@ plays() { "${@:2}" && said "playing $1"; }
 start_second() {
     local n_played n_before
     n_before=$(grep -c '^playing' "$folder/said")
-    xdotool key Left Left Left sleep 0.5 key Right sleep 0.5 key Return sleep 0.5
+    xdotool key Left Left Left Left sleep 0.5 key Right sleep 0.5 key Return sleep 0.5
     n_played=$(grep -c '^playing' "$folder/said")
     if ((n_played > n_before)) && ! said "playing three"; then leave_lesson; fi
 }
@@ -56,14 +57,14 @@ child=$!
 until_true 30 xdotool search --name '^Fulcrum$'
 sleep 1
 
-click_at 337 360 # between the first card and the second
+click_at 450 200 # between the first card and the second
 click_at 640 20  # the headline
 sleep 1
 ! said playing || { echo "a click beside the cards started a lesson"; exit 1; }
 
-until_true 20 plays two click_at 791 360 # the third card
+until_true 20 plays two click_at 1020 200 # the third card
 leave_lesson
-until_true 20 plays one click_at 186 360 # the first card
+until_true 20 plays one click_at 260 200 # the first card
 leave_lesson
 sleep 1
 xdotool type Mina # in the list: who is playing
@@ -71,7 +72,14 @@ until_true 20 plays three start_second
 ! said "playing zero" || { echo "another lesson was started"; exit 1; }
 
 leave_lesson
+sleep 1
+played_one() { (($(grep -c '^playing one' "$folder/said") == 2)); }
+next_guest_plays() { click_at 830 440 && xdotool sleep 0.3 key Left Left Left Left sleep 0.3 key Return sleep 0.5 && played_one; }
+until_true 20 next_guest_plays
+leave_lesson
 until_true 20 leaves
 wait "$child" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
 child=
+"$folder/fulcrum" report --lesson one | grep -qx 'Guests (2)' || { echo "one was not played by two guests"; exit 1; }
+"$folder/fulcrum" report | grep -qx 'Guests (2)' || { echo "a guest of two lessons was not one learner"; exit 1; }
 "$folder/fulcrum" report --lesson three | grep -qx Mina || { echo "three was not kept for Mina"; exit 1; }

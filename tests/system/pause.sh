@@ -28,6 +28,7 @@ said=$folder/said
 "$fulcrum" run "$folder/x" --mute --seconds 60 >"$said" 2>&1 &
 child=$!
 wait_for frame 30
+wait_for_pixel 1100 46 00427a   # of the button's sign: what is not seen yet is not clicked
 focus() { xdotool search --onlyvisible --name Fulcrum windowfocus; }
 until focus >/dev/null 2>&1; do sleep 0.1; done
 frames() { grep -c '^frame' "$said" || true; }

@@ -43,3 +43,21 @@ wait_for() {
         sleep 0.05
     done
 }
+
+# rows FIRST N: what stands on the screen, a line each row, " ffrrggbb" each pixel. The screen's file is in the form of xwd: a head that tells
+# its own size and how many colours of twelve bytes follow, then four bytes a pixel.
+rows() {
+    local head colours
+    head=$(od -An -tu4 --endian=big -N4 "$screen_file")
+    colours=$(od -An -tu4 --endian=big -j76 -N4 "$screen_file")
+    od -An -v -tx4 -w5120 -j $((head + 12 * colours + 5120 * $1)) -N $((5120 * $2)) "$screen_file"
+}
+
+# wait_for_pixel X Y COLOUR: until it is shown there, for 30 seconds.
+wait_for_pixel() {
+    local deadline=$((SECONDS + 30)) row
+    until row=$(rows "$2" 1) && [[ ${row:9 * $1 + 3:6} == "$3" ]]; do
+        ((SECONDS <= deadline)) || { echo "never shown at $1, $2: $3"; exit 1; }
+        sleep 0.05
+    done
+}

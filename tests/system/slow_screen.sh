@@ -19,7 +19,7 @@ END
 preload=$shim${LD_PRELOAD:+:$LD_PRELOAD}
 LD_PRELOAD=$preload "$program" run "$folder/x" --mute --seconds 5 >"$folder/said" 2>&1 || { cat "$folder/said"; exit 1; }
 frames=$(sed -n 's/^frames //p' "$folder/said" | tail -n 1)
-pictures=$(sed -n 's/.* \([0-9]*\) pictures\.$/\1/p' "$folder/said" | tail -n 1)
+pictures=$(sed -n 's/.* \([0-9]*\) pictures, .*/\1/p' "$folder/said" | tail -n 1)
 echo "${frames:-no} frames of the lesson, ${pictures:-no} pictures"
 # It can have had 25 pictures and 300 frames; a frame that waited for each picture would have as many as these.
 ((pictures >= 2 && pictures <= 25 && frames >= 3 * pictures)) || { cat "$folder/said"; exit 1; }

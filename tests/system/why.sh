@@ -30,15 +30,10 @@ leave() {
     child=
 }
 
-# How many pixels of the bars' blue the left and the right third have, below the top row: "LEFT RIGHT". The screen's file is in the
-# form of xwd: a head that tells its own size and how many colours of twelve bytes follow, then four bytes a pixel.
+# How many pixels of the bars' blue the left and the right third have, below the top row: "LEFT RIGHT".
 bars() {
-    local head colours
-    head=$(od -An -tu4 --endian=big -N4 "$screen_file")
-    colours=$(od -An -tu4 --endian=big -j76 -N4 "$screen_file")
-    od -An -v -tx4 -w4 -j $((head + 12 * colours)) -N $((1280 * 720 * 4)) "$screen_file" |
-        awk '{ x = (NR - 1) % 1280 } NR > 1280 * 160 && substr($1, 3) == "0072b2" { if (x < 427) l++; else if (x > 853) r++ }
-             END { print l + 0, r + 0 }'
+    rows 160 560 | awk 'function count(part) { return gsub(/ff0072b2/, "", part) }
+        { l += count(substr($0, 1, 9 * 427)); r += count(substr($0, 9 * 854 + 1)) } END { print l + 0, r + 0 }'
 }
 # await WHAT LEFT RIGHT: until there are bars on that side, or none: 1 or 0 each.
 await() {

@@ -10,6 +10,14 @@ if(TARGET fulcrum)
                       WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 120)
   fulcrum_system_test("F3 says why a force is felt, out of the hand's way" why.sh
                       WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 180)
+  fulcrum_system_test("a clumsy mouse comes from the room to a felt weight in a minute, reading nothing" clumsy.sh
+                      WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 180)
+  fulcrum_system_test("what is chosen by keys is read aloud" read_aloud.sh WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 120
+                      NEEDS FULCRUM_SOUND FULCRUM_SPEECH)
+  fulcrum_system_test("accents and letters of other scripts are typed into an answer" typing.sh
+                      WITH $<TARGET_FILE:fulcrum> compose MAY_SKIP LEAKS TIMEOUT 120)
+  fulcrum_system_test("an input method's letters arrive in an answer" typing.sh
+                      WITH $<TARGET_FILE:fulcrum> nabi MAY_SKIP LEAKS TIMEOUT 120)
   fulcrum_system_test("with --mute no sound device is opened" mute.sh WITH $<TARGET_FILE:fulcrum> MAY_SKIP LEAKS TIMEOUT 120
                       NEEDS FULCRUM_SOUND)
 endif()

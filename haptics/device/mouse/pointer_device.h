@@ -41,6 +41,11 @@ struct PointerSettings {
                           0.2};  ///< targets are held within this box, metres; each 0.001 to 10
 };
 
+inline constexpr double kMostYield = 3.0;
+/// What pushes the hand on the screen is seen in how it gives way and comes late, where nobody can feel it: `times` as much as ships, 0 (the
+/// hand is where the pointer is) to kMostYield. `fulcrum bench yielding-mouse` draws what that does.
+[[nodiscard]] PointerSettings make_yielding(double times);
+
 /// Refuses settings outside the ranges named above, NaN included.
 [[nodiscard]] Expected<void> validate(const PointerSettings& settings);
 

@@ -3,6 +3,16 @@
 #include "haptics/device/mouse/pointer_device.h"
 
 namespace fulcrum {
+
+PointerSettings make_yielding(double times) {
+    constexpr double kSag_m_per_N = 0.004;
+    constexpr double kSlow_per_N = 0.2;
+    PointerSettings settings;
+    settings.sag_m_per_N = times * kSag_m_per_N;
+    settings.slow_per_N = times * kSlow_per_N;
+    return settings;
+}
+
 Expected<void> validate(const PointerSettings& s) {
     const Range ranges[] = {
         {"natural_rad_per_s", s.natural_rad_per_s, 5.0, 500.0},

@@ -18,6 +18,7 @@ class NullPlayer final : public SoundPlayer {
 
     Expected<void> play(std::string_view name, double gain, double pitch) override;
     void set_force_sound(double force_N) override;
+    void set_volume(double /*gain*/) override {}
     void set_stream(SoundStream* stream) override { stream_ = stream; }
     /// Says it in no time.
     void speak(std::span<const float> samples) override { n_spoken_ += samples.empty() ? 0U : 1U; }

@@ -82,11 +82,18 @@ class OpenalVoices {
         }
     }
 
+    void set_volume(double gain) {
+        use();
+        const double part = std::isfinite(gain) ? std::clamp(gain, 0.0, 1.0) : 1.0;
+        alListenerf(AL_GAIN, static_cast<ALfloat>(part * master_gain_));
+    }
+
     /// Makes sources and uploads the sounds; false when OpenAL could not.
     bool prepare(const std::vector<BankedSound>& bank, const SoundSettings& settings) {
         use();
         alGetError();
-        alListenerf(AL_GAIN, static_cast<ALfloat>(settings.master_gain));
+        master_gain_ = settings.master_gain;
+        set_volume(1.0);
         for (const BankedSound& sound : bank) {
             buffers_[sound.name] = upload(sound.samples);
         }
@@ -273,6 +280,7 @@ class OpenalVoices {
     Voice speech_;
     ALuint speech_buffer_ = 0;
     StreamQueue queue_;
+    double master_gain_ = 1.0;
     bool tells_leaving_;
     std::optional<OpenalStream> stream_;
     ALuint force_source_ = 0;
@@ -291,6 +299,7 @@ class OpenalPlayer : public Base {
         return voices.play(name, gain, pitch);
     }
     void set_force_sound(double force_N) override { voices.set_force(force_N); }
+    void set_volume(double gain) override { voices.set_volume(gain); }
     void set_stream(SoundStream* stream) override { voices.set_stream(stream); }
     void speak(std::span<const float> samples) override { voices.speak(samples); }
     void hush() override { voices.hush(); }

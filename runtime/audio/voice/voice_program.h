@@ -25,6 +25,7 @@ struct VoiceSettings {
     VoiceKind kind = VoiceKind::flite;
     double speed =
         0.9;  ///< kSlowestVoice to kFastestVoice; for learners a little slower than for others
+    friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };
 
 /// As the command line names it: "none", "flite", "espeak-ng".

@@ -144,10 +144,22 @@ void add_forces(const KiteReport& report, const Enlarged& enlarged,
     add("hud.tension", report.knot_W, report.tension_W, ForceLook::hand);
 }
 
+// What the hand's force is: sent behind the last gate, so it is told from there and not from the line.
+void tell_pull(const KiteReport& report, const Plan& plan, const dialogue::Catalogue& catalogue,
+               ViewForce& force) {
+    const double true_N = compute_length(report.hand_force_W);
+    const auto& line = plan.haptic.line;
+    const bool is_as_it_is = !line || (line->share == 1.0 && true_N <= line->most_N);
+    const std::string felt = newtons_text(compute_length(force.force_W));
+    force.text = is_as_it_is ? catalogue.say("hud.pull", {{"newtons", felt}})
+                             : catalogue.say("hud.scaled_pull",
+                                             {{"felt", felt}, {"true", newtons_text(true_N)}});
+}
+
 }  // namespace
 
-void add_kite(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
-              const dialogue::Catalogue& catalogue, View& view) {
+void add_kite(const LessonDescription& lesson, const Plan& plan, const SessionHud& hud,
+              const Scenery& scenery, const dialogue::Catalogue& catalogue, View& view) {
     if (!lesson.kite || !hud.kite.design) {
         return;
     }
@@ -176,6 +188,9 @@ void add_kite(const LessonDescription& lesson, const SessionHud& hud, const Scen
         add_bar(kLineModel, nodes_W[i - 1], nodes_W[i], line_radius_m, view);
     }
     add_wisps(lesson, report, view);
+    if (view.force.visible) {
+        tell_pull(report, plan, catalogue, view.force);
+    }
     if (hud.kite.shows_forces) {
         add_forces(report, enlarged, catalogue, view);
     }

@@ -10,12 +10,14 @@
 #include "runtime/lesson/scenery.h"
 #include "runtime/lesson/session.h"
 #include "runtime/scene/description.h"
+#include "runtime/scene/plan.h"
 #include "runtime/scene/view.h"
 
 namespace fulcrum::runtime {
 
-/// Adds it where the lesson has one and it flies.
-void add_kite(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
-              const dialogue::Catalogue& catalogue, View& view);
+/// Adds it where the lesson has one and it flies. The force on the hand, if the view has it, is told as what is felt there; where the
+/// line is not felt as it is (LineFeelSettings::share, most_N), its true pull is told beside it.
+void add_kite(const LessonDescription& lesson, const Plan& plan, const SessionHud& hud,
+              const Scenery& scenery, const dialogue::Catalogue& catalogue, View& view);
 
 }  // namespace fulcrum::runtime

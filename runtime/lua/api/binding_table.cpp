@@ -86,7 +86,10 @@ const ApiTable& api_table() {
         add_hand_api(table);
         add_material_api(table);
         add_action_api(table);
+        add_room_api(table);
+        add_tool_api(table);
         add_body_api(table);
+        add_hinge_api(table);
         add_force_api(table);
         add_kite_api(table);
         add_callbacks(table);

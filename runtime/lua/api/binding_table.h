@@ -119,8 +119,11 @@ void add_lesson_api(ApiTable& table);
 void add_declaration_api(ApiTable& table);
 void add_hand_api(ApiTable& table);
 void add_action_api(ApiTable& table);
+void add_room_api(ApiTable& table);
+void add_tool_api(ApiTable& table);
 void add_material_api(ApiTable& table);
 void add_body_api(ApiTable& table);
+void add_hinge_api(ApiTable& table);
 void add_force_api(ApiTable& table);
 void add_kite_api(ApiTable& table);
 

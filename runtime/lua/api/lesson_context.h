@@ -44,6 +44,7 @@ struct LessonContext {
     std::vector<double> felt_weight_N;  ///< empty before ReadyEvent
     std::optional<double> day;          ///< nothing before ReadyEvent
     std::vector<PastAnswers> past;      ///< empty before ReadyEvent
+    std::vector<KnownLesson> lessons;   ///< likewise
     std::vector<MaterialGrades> grades;   ///< one a material; empty before ReadyEvent
     LessonReply reply{};                  ///< being filled
     int n_prints = 0;                     ///< in this frame

@@ -171,47 +171,6 @@ int get_touched(lua_State* lua, LessonContext& context, std::int32_t /*index*/) 
     return 1;
 }
 
-// The hand that holds this tool.
-HandFrame frame_of(const LessonContext& context, std::int32_t tool) {
-    const LessonFrame& frame = context.frame;
-    const auto i = static_cast<std::size_t>(tool);
-    return i > 0 && i <= frame.more_hands.size()
-               ? frame.more_hands[i - 1]
-               : HandFrame{frame.tool_pose_W, frame.tool_twist_W, frame.applied_W};
-}
-
-template <int kAxis>
-int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(lua, frame_of(context, index).tool_pose_W.position[kAxis]);
-    return 1;
-}
-
-template <int kAxis>
-int get_tool_velocity(lua_State* lua, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(lua, frame_of(context, index).tool_twist_W.linear[kAxis]);
-    return 1;
-}
-
-int get_tool_place(lua_State* lua, LessonContext& context, std::int32_t index) {
-    push_vector(lua, frame_of(context, index).tool_pose_W.position);
-    return 1;
-}
-
-int get_tool_force(lua_State* lua, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(lua, frame_of(context, index).applied_W.force.norm());
-    return 1;
-}
-
-int get_tool_torque(lua_State* lua, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(lua, frame_of(context, index).applied_W.torque.norm());
-    return 1;
-}
-
-int get_tool_turn(lua_State* lua, LessonContext& context, std::int32_t index) {
-    push_vector(lua, kDegrees * compute_log(frame_of(context, index).tool_pose_W.orientation));
-    return 1;
-}
-
 void add_world_properties(ApiTable& table) {
     table.properties.push_back(
         {"world", "time", "number", "seconds", "since the lesson began", &get_time});
@@ -226,29 +185,6 @@ void add_world_properties(ApiTable& table) {
     table.properties.push_back({"world", "touched", "Body", "",
                                 "the solid body that the tool touches or touched last; nil before",
                                 &get_touched});
-    table.properties.push_back(
-        {"tool", "x", "number", "metres", "to the right", &get_tool_position<0>});
-    table.properties.push_back({"tool", "y", "number", "metres", "up", &get_tool_position<1>});
-    table.properties.push_back(
-        {"tool", "z", "number", "metres", "towards the viewer", &get_tool_position<2>});
-    table.properties.push_back(
-        {"tool", "vx", "number", "metres per second", "", &get_tool_velocity<0>});
-    table.properties.push_back(
-        {"tool", "vy", "number", "metres per second", "", &get_tool_velocity<1>});
-    table.properties.push_back(
-        {"tool", "vz", "number", "metres per second", "", &get_tool_velocity<2>});
-    table.properties.push_back(
-        {"tool", "position", "Vector", "metres", "{x, y, z}", &get_tool_place});
-    table.properties.push_back({"tool", "force", "number", "newtons",
-                                "how strongly the hand is pushed or pulled", &get_tool_force});
-    table.properties.push_back(
-        {"tool", "turn", "Vector", "degrees",
-         "how the hand is turned, not what it presses against a body: about this direction, by as "
-         "much as it is long",
-         &get_tool_turn});
-    table.properties.push_back({"tool", "torque", "number", "newton metres",
-                                "how strongly the hand is turned, with a tool in it; at most 0.3",
-                                &get_tool_torque});
 }
 
 }  // namespace

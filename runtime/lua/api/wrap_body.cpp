@@ -1,6 +1,5 @@
 // A body: what a lesson asks of it and reads from it.
 #include "haptics/math/length.h"
-#include "runtime/effect/hinge/declare_hinge.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
@@ -97,109 +96,16 @@ int uncover(lua_State* lua, LessonContext& context, const Arguments& /*arguments
     return set_covered(lua, context, false);
 }
 
-const AxleSettings& hinge_of(lua_State* lua, const LessonContext& context, std::int32_t index,
-                             const char* asked) {
-    const BodyDescription& body = description_of(context, index);
-    if (!body.hinge) {
-        raise_in_lesson(lua, std::string("only a body on a hinge has ") + asked + "; declare " +
-                                 body.name + " with hinge = { axis = …, inertia = … }");
-    }
-    return *body.hinge;
-}
-
-/// How its hinge stands now; at rest before the first frame.
-HingeState hinge_state_of(const LessonContext& context, std::int32_t index) {
-    std::size_t before = 0;
-    for (std::int32_t i = 0; i < index; ++i) {
-        before += description_of(context, i).hinge ? 1U : 0U;
-    }
-    return before < context.frame.hinges.size() ? context.frame.hinges[before] : HingeState{};
-}
-
-int turn(lua_State* lua, LessonContext& context, const Arguments& arguments) {
-    TurnCommand command;
-    command.body = to_handle(lua, 1)->index;
-    (void)hinge_of(lua, context, command.body, "a turn");
-    if (arguments["angle"].given) {
-        command.angle_rad = arguments["angle"].number / kDegrees;
-    }
-    if (arguments["spin"].given) {
-        command.spin_rad_per_s = arguments["spin"].number / kDegrees;
-    }
-    if (arguments["at"].given) {
-        command.pivot_W = arguments["at"].vector;
-        (void)place_on_hinge(lua, description_of(context, command.body), "hinge", *command.pivot_W);
-    }
-    if (arguments["load"].given) {
-        command.load_N = arguments["load"].number;
-    }
-    add_command(lua, command);
+int light(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua,
+                LightCommand{to_handle(lua, 1)->index, static_cast<BodyLight>(find_choice(
+                                                           kBodyLights, arguments["light"].text))});
     return 0;
 }
 
-/// A number of how a hinge stands, in the unit that lessons see.
-struct HingeNumber {
-    const char* asked;
-    double HingeState::*value;
-    double unit;
-};
-constexpr HingeNumber kAngle{"an angle", &HingeState::angle_rad, kDegrees};
-constexpr HingeNumber kSpin{"a spin", &HingeState::spin_rad_per_s, kDegrees};
-constexpr HingeNumber kTorque{"a torque", &HingeState::torque_Nm, 1.0};
-constexpr HingeNumber kLoadTorque{"a load", &HingeState::load_torque_Nm, 1.0};
-constexpr HingeNumber kArm{"a lever arm", &HingeState::arm_m, 1.0};
-
-template <const HingeNumber& kNumber>
-int get_of_hinge(lua_State* lua, LessonContext& context, std::int32_t index) {
-    (void)hinge_of(lua, context, index, kNumber.asked);
-    lua_pushnumber(lua, hinge_state_of(context, index).*kNumber.value * kNumber.unit);
-    return 1;
-}
-int get_inertia(lua_State* lua, LessonContext& context, std::int32_t index) {
-    const AxleSettings& declared = hinge_of(lua, context, index, "an inertia");
-    const double now_kg_m2 = hinge_state_of(context, index).inertia_kg_m2;
-    lua_pushnumber(lua, now_kg_m2 > 0.0 ? now_kg_m2 : declared.inertia_kg_m2);
-    return 1;
-}
-
-void add_hinge_rows(ApiTable& table) {
-    using enum ParameterType;
-    table.functions.push_back(
-        {"body",
-         "turn",
-         CallShape::record,
-         CallTime::acting,
-         {{"angle", number, "degrees", -kMostTurn_deg, kMostTurn_deg, "nil", "it is there at once"},
-          {"spin", number, "degrees per second", -5000, 5000, "nil",
-           "it turns so fast from now on, until something brakes it"},
-          {"at", vector, "metres", -kMaxCoordinate_m, kMaxCoordinate_m, "nil",
-           "a place that its axis passes through from now on, for a body where it was declared; at "
-           "most 100 m from there"},
-          {"load", number, "newtons", 0, kMostAxleLoad_N, "nil",
-           "the weight that hangs on it from now on"}},
-         "",
-         "Sets how a body on a hinge stands. When its axis points at you, angles grow "
-         "counter-clockwise; they stay between its lowest and highest.",
-         &turn});
-    table.properties.push_back({"body", "angle", "number", "degrees",
-                                "of a body on a hinge: how far it is turned",
-                                &get_of_hinge<kAngle>});
-    table.properties.push_back({"body", "spin", "number", "degrees per second",
-                                "of a body on a hinge", &get_of_hinge<kSpin>});
-    table.properties.push_back({"body", "inertia", "number", "kilogram square metres",
-                                "of a body on a hinge, about its axis where that lies now",
-                                &get_inertia});
-    table.properties.push_back(
-        {"body", "torque", "number", "newton metres",
-         "of the hand about a hinge: lever arm × force, counter-clockwise above 0",
-         &get_of_hinge<kTorque>});
-    table.properties.push_back(
-        {"body", "arm", "number", "metres",
-         "how far the hand's force passes from the hinge; 0 when nothing presses",
-         &get_of_hinge<kArm>});
-    table.properties.push_back({"body", "load_torque", "number", "newton metres",
-                                "of what hangs on a body about its hinge",
-                                &get_of_hinge<kLoadTorque>});
+int mark(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, MarkCommand{to_handle(lua, 1)->index, arguments["newtons"].number});
+    return 0;
 }
 
 int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
@@ -210,6 +116,10 @@ int get_noun(lua_State* lua, LessonContext& context, std::int32_t index) {
 }
 int get_mass(lua_State* lua, LessonContext& context, std::int32_t index) {
     lua_pushnumber(lua, description_of(context, index).mass_kg);
+    return 1;
+}
+int get_radius(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, description_of(context, index).radius_m);
     return 1;
 }
 int get_weight(lua_State* lua, LessonContext& context, std::int32_t index) {
@@ -327,6 +237,26 @@ void add_body_api(ApiTable& table) {
                                "",
                                "Lays it into the tool, so that its weight is felt.",
                                &hold});
+    table.functions.push_back(
+        {"body",
+         "mark",
+         CallShape::positional,
+         kActing,
+         {{"newtons", number, "newtons", 0, kMostMark_N, "0", "0 takes it away"}},
+         "",
+         "Shows beside it what was felt of it, as an arrow like the hand's, while it stands there.",
+         &mark});
+    table.functions.push_back(
+        {"body",
+         "light",
+         CallShape::positional,
+         kActing,
+         {{"light", choice, "", 0, 0, kRequired,
+           "\"offered\": it may be chosen, a line goes round it; \"lit\": it shines", kBodyLights}},
+         "",
+         "Lights it up. Above the scene stand as many signs as bodies are offered or lit, hidden "
+         "ones too, those of lit ones filled, and how many they are.",
+         &light});
     table.functions.push_back({"body",
                                "cover",
                                CallShape::positional,
@@ -344,7 +274,6 @@ void add_body_api(ApiTable& table) {
                                "Takes the cloth away.",
                                &uncover});
 
-    add_hinge_rows(table);
     table.properties.push_back({"body", "name", "string", "", "", &get_name});
     table.properties.push_back({"body", "noun", "string", "", "the English noun", &get_noun});
     table.properties.push_back({"body", "mass", "number", "kilograms", "the true mass", &get_mass});
@@ -352,6 +281,7 @@ void add_body_api(ApiTable& table) {
         {"body", "weight", "number", "newtons", "the true weight: mass × gravity", &get_weight});
     table.properties.push_back({"body", "felt_weight", "number", "newtons",
                                 "what the hand feels of it", &get_felt_weight});
+    table.properties.push_back({"body", "radius", "number", "metres", "as declared", &get_radius});
     table.properties.push_back({"body", "material", "Material|nil", "",
                                 "what it is made of; nil when it has no material", &get_material});
     table.properties.push_back({"body", "covered", "boolean", "", "under a cloth", &get_covered});

@@ -257,6 +257,7 @@ void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
         lesson_.felt_weight_N.resize(description().bodies.size(), 0.0);
         lesson_.day = ready->day;
         lesson_.past = ready->past;
+        lesson_.lessons = ready->lessons;
         lesson_.grades = ready->materials;
         lesson_.grades.resize(description().materials.size());
         return;

@@ -79,6 +79,7 @@ void description(Archive& a, Description& d) {
     a.list("what is known", d.knowledge, kMaxQuestions,
            [](auto& each, auto& k) { knowledge(each, k); });
     a.flag("the past", d.wants_past);
+    a.flag("a room", d.is_room);
     a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
 }
 
@@ -172,6 +173,13 @@ void event(Archive& a, Event& e) {
         a.number("today", e.day, -1e6, 1e6);
         a.list("past answers", e.past, kMaxPastAnswers,
                [](auto& each, auto& past) { past_answers(each, past); });
+        a.list("lessons", e.lessons, kMaxKnownLessons, [](auto& each, auto& lesson) {
+            each.text("a lesson's name", lesson.name, kMaxTextBytes);
+            each.text("a lesson's title", lesson.title, kMostTitleBytes);
+            each.text("a lesson's level", lesson.level, kMostTitleBytes);
+            each.text("a lesson's icon", lesson.icon, kMaxTextBytes);
+            each.integer("a lesson's stars", lesson.stars, -1, kMostStars);
+        });
     }
 }
 
@@ -184,12 +192,14 @@ void frame(Archive& a, Frame& f) {
     vector(a, "the tool's turning", f.tool_twist_W.angular, kMaxTold);
     vector(a, "the applied force", f.applied_W.force, kMaxTold);
     vector(a, "the applied torque", f.applied_W.torque, kMaxTold);
+    a.integer("the buttons", f.buttons, 0, UINT32_MAX);
     a.list("more hands", f.more_hands, kMostHands - 1, [](auto& each, auto& h) {
         pose(each, "a tool", h.tool_pose_W, kMaxTold);
         vector(each, "a tool's velocity", h.tool_twist_W.linear, kMaxTold);
         vector(each, "a tool's turning", h.tool_twist_W.angular, kMaxTold);
         vector(each, "an applied force", h.applied_W.force, kMaxTold);
         vector(each, "an applied torque", h.applied_W.torque, kMaxTold);
+        each.integer("the buttons", h.buttons, 0, UINT32_MAX);
     });
     a.list("bodies", f.bodies, static_cast<std::size_t>(kMaxBodies), [](auto& each, auto& b) {
         pose(each, "a body", b.pose_W, kMaxTold);
@@ -321,6 +331,12 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
     } else if constexpr (std::is_same_v<Kind, CoverCommand>) {
         a.integer("a covered body", c.body, 0, bounds.n_bodies - 1);
         a.flag("covered", c.covered);
+    } else if constexpr (std::is_same_v<Kind, MarkCommand>) {
+        a.integer("a marked body", c.body, 0, bounds.n_bodies - 1);
+        a.number("a mark", c.felt_N, 0.0, kMostMark_N);
+    } else if constexpr (std::is_same_v<Kind, LightCommand>) {
+        a.integer("a lit body", c.body, 0, bounds.n_bodies - 1);
+        a.choice("a light", c.light, BodyLight::lit);
     } else if constexpr (std::is_same_v<Kind, TurnCommand>) {
         turn_command(a, c, bounds);
     } else if constexpr (std::is_same_v<Kind, KiteCommand>) {
@@ -332,6 +348,8 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
     } else if constexpr (std::is_same_v<Kind, ShowHandCommand>) {
         optional(a, "a shown hand", c.at_W,
                  [](auto& each, auto& v) { vector(each, "a shown hand", v, kMaxCoordinate_m); });
+    } else if constexpr (std::is_same_v<Kind, EnterCommand>) {
+        a.text("a lesson to enter", c.lesson, kMaxTextBytes);
     } else if constexpr (std::is_same_v<Kind, TellCommand>) {
         a.name("what is told", c.knowledge);
         a.text("what is told", c.text, kMaxTextBytes);

@@ -59,13 +59,14 @@ void check_columns(Database& database) {
         const char* name;
         std::int64_t since;  // the version
     };
-    constexpr Column kColumns[] = {{"learner", "nickname", 1},    {"session", "lesson_version", 1},
-                                   {"session_end", "stars", 1},   {"attempt", "said", 1},
-                                   {"attempt_error", "code", 1},  {"opening", "opened_utc_ms", 1},
-                                   {"attempt", "understood", 2},  {"session_setting", "value", 2},
-                                   {"attempt_error", "point", 3}, {"attempt", "uptake", 4},
-                                   {"hand_setting", "value", 5},  {"attempt", "form_known", 6},
-                                   {"attempt_error", "target", 7}};
+    constexpr Column kColumns[] = {{"learner", "nickname", 1},     {"session", "lesson_version", 1},
+                                   {"session_end", "stars", 1},    {"attempt", "said", 1},
+                                   {"attempt_error", "code", 1},   {"opening", "opened_utc_ms", 1},
+                                   {"attempt", "understood", 2},   {"session_setting", "value", 2},
+                                   {"attempt_error", "point", 3},  {"attempt", "uptake", 4},
+                                   {"hand_setting", "value", 5},   {"attempt", "form_known", 6},
+                                   {"attempt_error", "target", 7}, {"class", "name", 8},
+                                   {"class_setting", "value", 8},  {"class_card", "secret", 8}};
     const std::int64_t version = database.number("PRAGMA user_version");
     for (const Column& column : kColumns) {
         Statement find(database, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");

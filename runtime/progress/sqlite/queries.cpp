@@ -1,6 +1,7 @@
 #include "runtime/progress/sqlite/queries.h"
 
 #include "dialogue/unicode.h"
+#include "runtime/progress/sqlite/repeats.h"
 #include "runtime/progress/sqlite/rows.h"
 #include "runtime/progress/text_rules.h"
 
@@ -86,25 +87,6 @@ std::optional<AttemptRecord> find_attempt(Database& database, const RecordId& id
         attempt.errors.push_back(error_of(error));
     }
     return attempt;
-}
-
-// True when the record is there already, so that there is nothing to add.
-template <class Record>
-bool is_repeat(Database& database, const std::optional<Record>& kept, const Record& record,
-               const char* what) {
-    if (kept && *kept != record) {
-        throw Refused({std::string("another ") + what + " is kept under this id", database.path(),
-                       "give each one an id of its own"});
-    }
-    return kept.has_value();
-}
-
-void require(Database& database, const char* sql, const RecordId& id, const char* what) {
-    Statement row(database, sql);
-    if (!row.bind(id).step()) {
-        throw Refused({std::string("the ") + what + " " + id + " is not known", database.path(),
-                       "keep it before what belongs to it"});
-    }
 }
 
 }  // namespace

@@ -25,8 +25,11 @@ void keep(Database& database, const SessionSetting& setting);
 void keep(Database& database, const HandSetting& setting);
 void keep(Database& database, const SessionEnd& end);
 void keep(Database& database, const AttemptRecord& attempt);
+void keep(Database& database, const ClassRows& rows);
 
 /// Everything that the filter matches.
 [[nodiscard]] ProgressData read(Database& database, const ProgressFilter& filter);
+/// All of classes.
+[[nodiscard]] ClassRows read_classes(Database& database);
 
 }  // namespace fulcrum::runtime::sqlite

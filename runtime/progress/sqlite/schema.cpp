@@ -118,11 +118,43 @@ constexpr const char* kStep6 = R"sql(
 ALTER TABLE attempt_error ADD COLUMN target INTEGER NOT NULL DEFAULT 0 CHECK(target IN (0, 1));
 )sql";
 
+// Classes, how each is shown, and the pictures by which their pupils are found.
+constexpr const char* kStep7 = R"sql(
+CREATE TABLE class(
+  row INTEGER PRIMARY KEY,
+  id TEXT NOT NULL UNIQUE CHECK(length(id) = 32),
+  name TEXT NOT NULL UNIQUE COLLATE NOCASE CHECK(length(name) BETWEEN 1 AND 40),
+  made_utc_ms INTEGER NOT NULL) STRICT;
+CREATE TABLE class_setting(
+  row INTEGER PRIMARY KEY,
+  id TEXT NOT NULL UNIQUE CHECK(length(id) = 32),
+  class TEXT NOT NULL REFERENCES class(id) ON DELETE CASCADE,
+  name TEXT NOT NULL CHECK(length(name) >= 1),
+  value TEXT NOT NULL,
+  kept_utc_ms INTEGER NOT NULL) STRICT;
+CREATE TABLE class_card(
+  row INTEGER PRIMARY KEY,
+  id TEXT NOT NULL UNIQUE CHECK(length(id) = 32),
+  class TEXT NOT NULL REFERENCES class(id) ON DELETE CASCADE,
+  learner TEXT NOT NULL REFERENCES learner(id) ON DELETE CASCADE,
+  card_1 TEXT NOT NULL,
+  card_2 TEXT NOT NULL CHECK(card_2 <> card_1),
+  secret TEXT NOT NULL CHECK(secret NOT IN (card_1, card_2)),
+  kept_utc_ms INTEGER NOT NULL) STRICT;
+CREATE INDEX class_card_of_learner ON class_card(learner);
+CREATE TRIGGER class_is_fact BEFORE UPDATE ON class
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+CREATE TRIGGER class_setting_is_fact BEFORE UPDATE ON class_setting
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+CREATE TRIGGER class_card_is_fact BEFORE UPDATE ON class_card
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+)sql";
+
 }  // namespace
 
 const std::array<const char*, kSchemaVersion>& migrations() noexcept {
     static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2, kStep3,
-                                                                    kStep4, kStep5, kStep6};
+                                                                    kStep4, kStep5, kStep6, kStep7};
     return kSteps;
 }
 

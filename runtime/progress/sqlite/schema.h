@@ -14,7 +14,7 @@ namespace fulcrum::runtime::sqlite {
 inline constexpr std::int64_t kApplicationId = 0x46756C63;
 
 /// Version that this program writes; sqlite's user_version.
-inline constexpr std::int64_t kSchemaVersion = 7;
+inline constexpr std::int64_t kSchemaVersion = 8;
 
 /// SQL of each step.
 [[nodiscard]] const std::array<const char*, kSchemaVersion>& migrations() noexcept;

@@ -54,6 +54,16 @@ class SqliteStore final : public ProgressStore {
         });
     }
 
+    [[nodiscard]] Expected<void> add_class_rows(const ClassRows& rows) override {
+        return keep(rows);
+    }
+    [[nodiscard]] Expected<ClassRows> read_classes() override {
+        return guarded([&] {
+            const Transaction snapshot(database_, Transaction::Kind::read);
+            return sqlite::read_classes(database_);
+        });
+    }
+
   private:
     template <class Work>
     auto in_transaction(Work&& work) -> Expected<decltype(work())> {

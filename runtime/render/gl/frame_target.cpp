@@ -55,12 +55,12 @@ void FrameTarget::bind() const {
     glViewport(0, 0, width_, height_);
 }
 
-void FrameTarget::resolve_to(GLuint framebuffer) const {
+void FrameTarget::resolve_to(GLuint framebuffer, int width, int height) const {
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 

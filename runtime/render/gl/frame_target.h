@@ -20,9 +20,12 @@ class FrameTarget {
     /// Draws go here from now on.
     void bind() const;
 
-    /// Averages the samples into another framebuffer's lower left corner, which is bound from then
-    /// on.
-    void resolve_to(GLuint framebuffer) const;
+    /// Averages the samples into another framebuffer's lower left corner, `width` x `height` pixels, which is bound from then on. A
+    /// size other than its own only of one sample: it is stretched smoothly.
+    void resolve_to(GLuint framebuffer, int width, int height) const;
+    void resolve_to(const FrameTarget& target) const {
+        resolve_to(target.framebuffer_.name(), target.width_, target.height_);
+    }
 
   private:
     [[nodiscard]] bool build(int width, int height, int samples);

@@ -72,12 +72,16 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers
     if (name.empty()) {
         return;
     }
+    const std::string by_place = key_name(key, nullptr);
+    const std::string& place = by_place.empty() ? name : by_place;
     if (action == GLFW_RELEASE) {
         events_of(window).released.push_back(name);
+        events_of(window).released_places.push_back(place);
         return;
     }
     KeyPress press;
     press.key = name;
+    press.place = place;
     press.repeat = action == GLFW_REPEAT;
     press.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
     press.control = (modifiers & GLFW_MOD_CONTROL) != 0;
@@ -140,6 +144,7 @@ void on_focus(GLFWwindow* window, int focused) {
 void forget_last_poll(WindowEvents& events) {
     events.pressed.clear();
     events.released.clear();
+    events.released_places.clear();
     events.button_press = {};
     events.pointer_moved = false;
     events.wheel = 0.0;
@@ -222,6 +227,19 @@ struct Window::Parts {
         glfwTerminate();
     }
 };
+
+std::string label_at(char place) {
+    const char* const name = glfwGetKeyName(GLFW_KEY_A + (place - 'a'), 0);
+    glfwGetError(nullptr);
+    const std::string found = name != nullptr && *name != '\0' ? name : std::string(1, place);
+    std::string label;
+    for (std::size_t at = 0; at < found.size();) {
+        const dialogue::Character letter = dialogue::character_at(found, at);
+        dialogue::append_utf8(label, dialogue::capital_letter(letter.code));
+        at += letter.bytes;
+    }
+    return label;
+}
 
 bool display_available() {
     if (!names_any_display()) {

@@ -23,6 +23,8 @@ struct KeyPress {
     std::string key;
     /// What was typed, UTF-8, keyboard layout applied; empty for a key. It comes after the key that makes it.
     std::string text{};
+    /// What stands at the key's place on an American keyboard, whatever the layout: "w" of the key with ц. Empty: `key`.
+    std::string place{};
     bool repeat = false;
     bool shift = false;
     bool control = false;
@@ -31,22 +33,27 @@ struct KeyPress {
 
 /// What happened since the last poll, and how things stand.
 struct WindowEvents {
-    std::vector<KeyPress> pressed;       ///< keys and text, in the order of typing
-    std::vector<std::string> released;   ///< names as in KeyPress
-    double pointer_x_px = 0.0;           ///< from the left of the framebuffer
-    double pointer_y_px = 0.0;           ///< from the top of the framebuffer
-    bool pointer_moved = false;          ///< since the last poll
-    std::array<bool, 3> button_down{};   ///< left, right, middle are held now
-    std::array<bool, 3> button_press{};  ///< went down since the last poll
-    double press_x_px = 0.0;             ///< where the pointer was when a button last went down
-    double press_y_px = 0.0;             ///< likewise, from the top
-    double wheel = 0.0;                  ///< notches since the last poll, away from the user is +
-    bool close = false;                  ///< the user wants to leave
-    bool resized = false;                ///< the framebuffer has another size
-    bool uncovered = false;              ///< what was drawn may be lost: draw again
+    std::vector<KeyPress> pressed;             ///< keys and text, in the order of typing
+    std::vector<std::string> released;         ///< names as in KeyPress
+    std::vector<std::string> released_places;  ///< likewise, of the same keys
+    double pointer_x_px = 0.0;                 ///< from the left of the framebuffer
+    double pointer_y_px = 0.0;                 ///< from the top of the framebuffer
+    bool pointer_moved = false;                ///< since the last poll
+    std::array<bool, 3> button_down{};         ///< left, right, middle are held now
+    std::array<bool, 3> button_press{};        ///< went down since the last poll
+    double press_x_px = 0.0;  ///< where the pointer was when a button last went down
+    double press_y_px = 0.0;  ///< likewise, from the top
+    double wheel = 0.0;       ///< notches since the last poll, away from the user is +
+    bool close = false;       ///< the user wants to leave
+    bool resized = false;     ///< the framebuffer has another size
+    bool uncovered = false;   ///< what was drawn may be lost: draw again
     bool focused = true;
     bool lost_focus = false;  ///< since the last poll: let go of everything that is held
 };
+
+/// What stands on the key at that place of an American keyboard, 'a' to 'z', in the user's layout, as on the key: "W", "Ц". For the thread of the
+/// window that is there.
+[[nodiscard]] std::string label_at(char place);
 
 /// Whether a window can be opened here. Prints nothing.
 [[nodiscard]] bool display_available();

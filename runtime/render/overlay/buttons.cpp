@@ -15,6 +15,10 @@ constexpr float kButtonIcon = 15.0F;
 void draw_icon(ScreenButton button, bool paused, DrawList& list, const Point2& middle,
                float radius_px) {
     switch (button) {
+        case ScreenButton::leave:
+            return draw_leave_icon(list, middle, radius_px);
+        case ScreenButton::settings:
+            return draw_gear_icon(list, middle, 1.15F * radius_px);
         case ScreenButton::pause:
             return draw_pause_icon(list, middle, radius_px, paused);
         case ScreenButton::say_again:
@@ -23,7 +27,7 @@ void draw_icon(ScreenButton button, bool paused, DrawList& list, const Point2& m
             return draw_question_icon(list, middle, radius_px);
         case ScreenButton::why:
             return draw_arrow_icon(list, middle, 1.15F * radius_px, {0.0F, 1.0F},
-                                   theme::kEmphasisInk);
+                                   list.colours().emphasis_ink);
     }
 }
 
@@ -42,7 +46,7 @@ std::vector<Box> lay_out_buttons(const View& view, const Measure& m, float right
 void draw_buttons(const View& view, const std::vector<Box>& boxes, const Measure& m,
                   DrawList& list) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        draw_paper(list, boxes[i], m, theme::kPaper);
+        draw_paper(list, boxes[i], m, list.colours().paper);
         draw_icon(view.buttons[i], view.paused, list, {boxes[i].middle_x(), boxes[i].middle_y()},
                   m.px(kButtonIcon));
     }

@@ -205,20 +205,21 @@ void DrawList::line(const Point2& from, const Point2& to, float width_px, const 
 
 void DrawList::letter(const Paragraph& paragraph, const PlacedLetter& placed, float x, float base,
                       const Colour& colour) {
-    const Face face = placed.emphasised ? Face::bold : paragraph.face;
-    const float pen = x + placed.x_px;
+    const auto size = static_cast<float>(paragraph.size_px);
+    const float pen = x + placed.x_px + placed.shaped.shift_em * size;
     // Small letters may stand at quarters of a pixel; at large sizes whole ones do.
     constexpr int kLargestAtQuarters = 48;
     const float quarters = paragraph.size_px <= kLargestAtQuarters ? std::floor(4.0F * pen + 0.5F)
                                                                    : 4.0F * std::round(pen);
     const float whole = std::floor(quarters / 4.0F);
     const int quarter = static_cast<int>(quarters - 4.0F * whole);
-    const Glyph glyph = font_.glyph(face, paragraph.size_px, placed.character, quarter);
+    const Glyph glyph = font_.glyph(placed.shaped, paragraph.size_px, quarter);
     if (glyph.width == 0 || corners_.size() + 6 > kMostCorners) {
         return;
     }
     const float left = whole + static_cast<float>(glyph.left);
-    const float top = std::round(base) - static_cast<float>(glyph.top);
+    const float top =
+        std::round(base - placed.shaped.rise_em * size) - static_cast<float>(glyph.top);
     const std::array<std::uint8_t, 4> rgba{to_byte(colour.r), to_byte(colour.g), to_byte(colour.b),
                                            to_byte(colour.a)};
     const auto corner = [&](int right, int down) {

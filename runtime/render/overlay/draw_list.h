@@ -8,6 +8,7 @@
 #include "runtime/render/colour.h"
 #include "runtime/render/text/font.h"
 #include "runtime/render/text/paragraph.h"
+#include "runtime/render/theme.h"
 
 #include <array>
 #include <cstdint>
@@ -37,6 +38,11 @@ struct Box {
     [[nodiscard]] bool holds(double x_px, double y_px) const {
         return x_px >= static_cast<double>(x) && x_px < static_cast<double>(right()) &&
                y_px >= static_cast<double>(y) && y_px < static_cast<double>(bottom());
+    }
+    /// They lie over one another; one without width meets none.
+    [[nodiscard]] bool meets(const Box& other) const {
+        return width > 0.0F && other.width > 0.0F && x < other.right() && other.x < right() &&
+               y < other.bottom() && other.y < bottom();
     }
     /// Grown by so much on every side.
     [[nodiscard]] Box grown(float by) const {
@@ -74,6 +80,9 @@ class DrawList {
 
     [[nodiscard]] const std::vector<OverlayCorner>& corners() const { return corners_; }
     [[nodiscard]] Font& font() { return font_; }
+    /// Of papers and inks from now on: one of the theme's, which outlives the list.
+    void colour_by(const theme::Palette& palette) { palette_ = &palette; }
+    [[nodiscard]] const theme::Palette& colours() const { return *palette_; }
     void clear() { corners_.clear(); }
 
   private:
@@ -84,6 +93,7 @@ class DrawList {
     void underline(const TextLine& line, float x, float base, int size_px, const Colour& colour);
 
     Font& font_;
+    const theme::Palette* palette_ = &theme::kUsual;
     std::vector<OverlayCorner> corners_;
 };
 

@@ -3,7 +3,7 @@
 #include "runtime/render/force_colour.h"
 #include "runtime/render/overlay/icons.h"
 #include "runtime/render/overlay/panels.h"
-#include "runtime/render/theme.h"
+#include "runtime/render/overlay/paper.h"
 
 #include <algorithm>
 #include <array>
@@ -23,13 +23,15 @@ constexpr float kLabelIcon = 14.0F;
 constexpr float kWidest = 420.0F;
 constexpr float kInscribed = 0.7F;  // half a square's side in a circle of radius 1
 
-bool overlap(const Box& a, const Box& b) {
-    return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
-}
-
 bool inside(const Box& box, const Measure& m) {
     return box.x >= 0.0F && box.y >= 0.0F && box.right() <= m.width_px &&
            box.bottom() <= m.height_px;
+}
+
+float common_area(const Box& a, const Box& b) {
+    const float width = std::min(a.right(), b.right()) - std::max(a.x, b.x);
+    const float height = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
+    return std::max(width, 0.0F) * std::max(height, 0.0F);
 }
 
 /// Square pixels of a box over what other things cover, about.
@@ -41,11 +43,8 @@ float area_over_others(const Box& box, const std::vector<SceneLabel>& labels,
             continue;
         }
         const float half = kInscribed * other.radius_px + margin;
-        const float x = other.middle_px[0];
-        const float y = other.middle_px[1];
-        const float width = std::min(box.right(), x + half) - std::max(box.x, x - half);
-        const float height = std::min(box.bottom(), y + half) - std::max(box.y, y - half);
-        area += std::max(width, 0.0F) * std::max(height, 0.0F);
+        area += common_area(
+            box, {other.middle_px[0] - half, other.middle_px[1] - half, 2.0F * half, 2.0F * half});
     }
     return area;
 }
@@ -103,16 +102,17 @@ std::array<Box, 6> candidates(const SceneLabel& label, float width, float height
 /// Beside its own thing alone, where that is possible; else over others as little as may be. None
 /// where everything is taken.
 std::optional<Box> find_room(const SceneLabel& label, const std::vector<SceneLabel>& labels,
-                             const std::vector<Box>& taken, float width, float height,
-                             const Measure& measure) {
+                             const std::vector<Box>& taken, const Box& hand, float width,
+                             float height, const Measure& measure) {
     std::optional<Box> room;
     float least = std::numeric_limits<float>::max();
     for (const Box& box : candidates(label, width, height, measure.px(kAway))) {
         const bool free = std::none_of(taken.begin(), taken.end(),
-                                       [&](const Box& other) { return overlap(box, other); });
+                                       [&](const Box& other) { return box.meets(other); });
         const float area = label.is_force
                                ? hidden_arms(box, labels)  // it belongs to what it stands on
-                               : area_over_others(box, labels, label, measure.px(2.0F * kAway));
+                               : area_over_others(box, labels, label, measure.px(2.0F * kAway)) +
+                                     common_area(box, hand);
         if (free && area < least && inside(box, measure)) {
             least = area;
             room = box;
@@ -124,7 +124,7 @@ std::optional<Box> find_room(const SceneLabel& label, const std::vector<SceneLab
 }  // namespace
 
 std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std::vector<Box> taken,
-                                      Font& font, const Measure& measure) {
+                                      Font& font, const Measure& measure, const Box& hand) {
     std::vector<PlacedLabel> placed;
     for (const SceneLabel& label : labels) {
         if (label.covers.width > 0.0F) {
@@ -143,7 +143,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std
             result.words.width_px +
             measure.px(2.0F * kLabelPadX + (label.is_force ? kLabelIconRoom : 0.0F));
         const float height = result.words.height_px + measure.px(2.0F * kLabelPadY);
-        const auto room = find_room(label, labels, taken, width, height, measure);
+        const auto room = find_room(label, labels, taken, hand, width, height, measure);
         if (room) {
             result.box = *room;
             taken.push_back(*room);
@@ -160,13 +160,23 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std
     return placed;
 }
 
+std::vector<Box> labelled_boxes(const std::vector<SceneLabel>& labels) {
+    std::vector<Box> boxes;
+    for (const SceneLabel& label : labels) {
+        const Box middle{label.middle_px[0], label.middle_px[1], 0.0F, 0.0F};
+        boxes.push_back(label.is_force ? label.covers : middle.grown(label.radius_px));
+    }
+    return boxes;
+}
+
 void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure, DrawList& list) {
     for (const PlacedLabel& placed : labels) {
         const Box& box = placed.box;
         const float radius = measure.px(0.5F * kSmallText);
         list.shadow_box({box.x, box.y + measure.px(2.0F), box.width, box.height}, radius,
-                        measure.px(8.0F), with_alpha(theme::kInk, 0.20F));
-        list.fill_box(box, radius, theme::kPaper);
+                        measure.px(8.0F), with_alpha(list.colours().ink, 0.20F));
+        list.fill_box(box, radius, list.colours().paper);
+        draw_edge(list, box, measure, radius);
         float x = box.x + measure.px(kLabelPadX);
         if (placed.label.is_force) {
             draw_arrow_icon(list, {x + measure.px(kLabelIcon - 4.0F), box.middle_y()},
@@ -175,7 +185,7 @@ void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure,
             x += measure.px(kLabelIconRoom);
         }
         list.text(placed.words, x, box.middle_y() - 0.5F * placed.words.height_px, 0.0F, 0.0F,
-                  theme::kInk, theme::kEmphasisInk);
+                  list.colours().ink, list.colours().emphasis_ink);
     }
 }
 

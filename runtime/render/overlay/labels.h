@@ -35,11 +35,14 @@ struct PlacedLabel {
 };
 
 /// Finds room right of, left of, below or above each thing, inside the picture and outside the
-/// boxes that are taken, and away from other things where that is possible; a label without room is
-/// left out. Forces come first, then in order.
+/// boxes that are taken, and away from other things, and from where the hand is seen (empty: nowhere), where that is possible; a label
+/// without room is left out. Forces come first, then in order.
 [[nodiscard]] std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels,
                                                     std::vector<Box> taken, Font& font,
-                                                    const Measure& measure);
+                                                    const Measure& measure, const Box& hand = {});
+
+/// Where the things and arrows that have words are seen.
+[[nodiscard]] std::vector<Box> labelled_boxes(const std::vector<SceneLabel>& labels);
 
 void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure, DrawList& list);
 

@@ -1,4 +1,5 @@
-// The list of lessons: large cards with a model, a title and a second line; one is chosen.
+// The list of lessons: large cards with a model, a title and a second line; one is chosen. And a class, `View::menu_is_small`: cards with one
+// line and up to two models, 37 of them on a picture of 1280 x 720.
 //
 //   The layout is what is drawn and what is pointed at: `menu_spot_at` looks into the same boxes.
 //
@@ -17,7 +18,8 @@ namespace fulcrum::runtime {
 struct MenuCard {
     Box box;
     Box paper;              ///< what is seen of it: the chosen card is larger than its box
-    Box icon;               ///< where the model is drawn
+    Box icon;               ///< where the model is drawn; no width where words stand alone
+    Box second_icon;        ///< where the second is; no width where there is none
     std::size_t index = 0;  ///< in View::menu
     bool chosen = false;
 };
@@ -54,6 +56,14 @@ struct MenuSpot {
 /// place, so that cards stay where they are when one appears.
 [[nodiscard]] MenuLayout lay_out_menu(const View& view, const Measure& measure,
                                       const std::vector<Box>& panels);
+
+/// What stands on a card.
+struct CardWords {
+    Paragraph title;
+    Paragraph subtitle;  ///< without lines where there is none
+};
+[[nodiscard]] CardWords set_card_words(const View& view, const MenuCard& card, const Font& font,
+                                       const Measure& measure);
 
 /// What is seen at a place, pixels from the top left corner of the picture. A box holds its left
 /// and upper edge, not its right and lower one; a place that is not finite holds nothing.

@@ -45,12 +45,12 @@ float microphone_width_px(const Measure& measure) {
 
 void draw_microphone(DrawList& list, const Point2& right_middle, const Measure& measure,
                      const ViewMicrophone& microphone) {
-    const Colour& ink = microphone.hears ? theme::kEmphasisInk : theme::kSoftInk;
+    const Colour& ink = microphone.hears ? list.colours().emphasis_ink : list.colours().soft_ink;
     const float left = right_middle[0] - microphone_width_px(measure);
     const Point2 middle{left + measure.px(kMicrophoneRadius), right_middle[1]};
     if (microphone.hears) {
         list.fill_disc(middle, measure.px(kMicrophoneRadius), ink);
-        list.fill_disc(middle, measure.px(kMicrophoneRadius - 3.0F), theme::kFieldPaper);
+        list.fill_disc(middle, measure.px(kMicrophoneRadius - 3.0F), list.colours().field_paper);
     }
     draw_microphone_shape(list, middle, measure.px(kMicrophoneRadius), ink);
     const auto n_up = static_cast<int>(

@@ -13,15 +13,16 @@ constexpr float kWhyPad = 18.0F;
 constexpr float kWhyWidth = 400.0F;
 constexpr float kBarHeight = 10.0F;
 constexpr float kRowGap = 8.0F;
-constexpr float kNameShare = 0.5F;  // of a row's width, at most
+constexpr float kNameShare = 0.5F;  // of a row's width, at least
+constexpr int kMostLines = 2;       // of a name, or of an amount
 
-Paragraph set_line(const Font& font, const Measure& m, const std::string& text, float width_px,
-                   Face face = Face::regular) {
+Paragraph set_lines(const Font& font, const Measure& m, const std::string& text, float width_px,
+                    int lines, Face face = Face::regular) {
     ParagraphSettings settings;
     settings.size_px = m.text_px(kSmallText);
     settings.face = face;
     settings.width_px = width_px;
-    settings.most_lines = 1;
+    settings.most_lines = lines;
     return set_text(font, plain_text(text), settings);
 }
 
@@ -36,13 +37,21 @@ WhyLayout lay_out_why(const ViewWhy& why, const Font& font, const Measure& measu
     if (!why.visible || why.shares.empty() || words < m.px(kSmallText)) {
         return layout;
     }
-    layout.title = set_line(font, m, why.title, words, Face::bold);
+    layout.title = set_lines(font, m, why.title, words, 1, Face::bold);
     const float x = room.x + m.px(kWhyPad);
     float y = room.y + m.px(kWhyPad) + layout.title.height_px;
     for (const ViewShare& share : why.shares) {
         WhyRow row;
-        row.name = set_line(font, m, share.name, share.amount.empty() ? words : kNameShare * words);
-        row.amount = set_line(font, m, share.amount, words - row.name.width_px - m.px(kRowGap));
+        // A short amount leaves its room to a long name; where both are long they take two lines.
+        const auto beside = [&](const Paragraph& other) {
+            return words - other.width_px - m.px(kRowGap);
+        };
+        row.amount = set_lines(font, m, share.amount, words, 1);
+        row.name = set_lines(
+            font, m, share.name,
+            share.amount.empty() ? words : std::max(beside(row.amount), kNameShare * words),
+            kMostLines);
+        row.amount = set_lines(font, m, share.amount, beside(row.name), kMostLines);
         row.top = y + m.px(kRowGap);
         const float below = row.top + std::max(row.name.height_px, row.amount.height_px);
         // A sentence without an amount has no bar.
@@ -68,19 +77,21 @@ void draw_why(const WhyLayout& layout, const Measure& measure, DrawList& list) {
         return;
     }
     const Measure& m = measure;
-    draw_paper(list, layout.box, m, theme::kPaper);
+    draw_paper(list, layout.box, m, list.colours().paper);
     const float x = layout.box.x + m.px(kWhyPad);
     const float words = layout.box.width - 2.0F * m.px(kWhyPad);
-    list.text(layout.title, x, layout.box.y + m.px(kWhyPad), words, 0.0F, theme::kInk,
-              theme::kEmphasisInk);
+    list.text(layout.title, x, layout.box.y + m.px(kWhyPad), words, 0.0F, list.colours().ink,
+              list.colours().emphasis_ink);
     for (const WhyRow& row : layout.rows) {
-        list.text(row.name, x, row.top, 0.0F, 0.0F, theme::kInk, theme::kEmphasisInk);
-        list.text(row.amount, x, row.top, words, 1.0F, theme::kSoftInk, theme::kEmphasisInk);
+        list.text(row.name, x, row.top, 0.0F, 0.0F, list.colours().ink,
+                  list.colours().emphasis_ink);
+        list.text(row.amount, x, row.top, words, 1.0F, list.colours().soft_ink,
+                  list.colours().emphasis_ink);
         if (row.bar.height <= 0.0F) {
             continue;
         }
         const float radius = 0.5F * row.bar.height;
-        list.fill_box(row.bar, radius, theme::kIconPaper);
+        list.fill_box(row.bar, radius, list.colours().icon_paper);
         if (row.part <= 0.0) {
             continue;
         }

@@ -116,7 +116,7 @@ LoadedModel make_reel() {
 }  // namespace
 
 std::vector<LoadedModel> make_kite_models(const KiteSettings& design) {
-    return {make_sheets(design), make_bar(kLineModel, theme::kSoftInk),
+    return {make_sheets(design), make_bar(kLineModel, theme::kUsual.soft_ink),
             make_bar(kTailModel, theme::kBlue), make_wisp(), make_reel()};
 }
 

@@ -80,8 +80,7 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
         program->set("u_eye", frame.eye_W);
         program->set("u_centre", frame.light.centre_W);
         program->set("u_fade_m", kHazeReach * frame.light.reach_m);
-        program->set("u_horizon",
-                     Vector3f(theme::kWallBottom.r, theme::kWallBottom.g, theme::kWallBottom.b));
+        program->set("u_horizon", Vector3f(theme::kHaze.r, theme::kHaze.g, theme::kHaze.b));
     }
     lit_unshaded_.use();
     lit_unshaded_.set("u_meadow", Vector3f(theme::kFloor.r, theme::kFloor.g, theme::kFloor.b));

@@ -1,5 +1,6 @@
 #include "runtime/render/scene/room.h"
 
+#include "runtime/render/scene/outdoors.h"
 #include "runtime/render/scene/scene_shaders.h"
 #include "runtime/render/theme.h"
 
@@ -16,8 +17,12 @@ namespace {
 constexpr int kFloorCorners = 96;  // corners of the floor's circle
 constexpr std::size_t kNearCorners = 3UL * kFloorCorners;
 constexpr std::size_t kFarCorners = 6UL * kFloorCorners;
-constexpr float kFarFloor = 60.0F;   // radius of the floor, in reaches of the light
-constexpr float kRugRadius = 0.62F;  // in reaches
+constexpr float kFarFloor = 60.0F;      // radius of the floor, in reaches of the light
+constexpr float kRugRadius = 0.62F;     // in reaches
+constexpr double kMeadowFrom = 0.66;    // in reaches: outside the rug
+constexpr float kNearestPlant = 0.75F;  // to the eye, in reaches
+constexpr int kLeastMeadow_px =
+    540;  // coarser pictures have no dots for blades of grass, nor the time
 constexpr int kWallStrips = 64;
 constexpr float kSkyHeight = 0.5F;         // from haze to full sky, in half pictures
 constexpr std::size_t kFloatsPerMark = 8;  // position, place, look
@@ -148,15 +153,18 @@ Vector3f as_stored(const Colour& colour) {
 Expected<Room> Room::create() {
     const std::string floor = shaders::kGroundFragment;
     const std::string shadow = std::string(shaders::kLighting) + shaders::kFloorShadowFragment;
-    auto floor_shadow = gl::Program::build("floor shadow", "#define TAPS 3\n#define SPREAD 2.2\n",
+    auto floor_shadow = gl::Program::build("floor shadow", "#define TAPS 3\n#define SPREAD 3.0\n",
                                            shaders::kFloorShadowVertex, shadow);
     auto near_floor = gl::Program::build("floor", "#define NEAR\n", shaders::kGroundVertex, floor);
     auto far_floor = gl::Program::build("far floor", "", shaders::kGroundVertex, floor);
-    auto wall = gl::Program::build("wall", "", shaders::kWallVertex, shaders::kWallFragment);
+    auto wall = gl::Program::build("wall", "", shaders::kSkyVertex, shaders::kSkyFragment);
+    auto sky = gl::Program::build("sky", "", shaders::kSkyVertex, shaders::kSkyFragment);
+    auto grown = gl::Program::build("meadow", "", shaders::kMeadowVertex, shaders::kSkyFragment);
     auto mark = gl::Program::build("mark", "", shaders::kMarkVertex, shaders::kMarkFragment);
     auto dashed = gl::Program::build("dashed mark", "#define DASHES 14.0\n", shaders::kMarkVertex,
                                      shaders::kMarkFragment);
-    for (const auto* program : {&near_floor, &far_floor, &wall, &mark, &dashed, &floor_shadow}) {
+    for (const auto* program :
+         {&near_floor, &far_floor, &wall, &sky, &grown, &mark, &dashed, &floor_shadow}) {
         if (!*program) {
             return tl::make_unexpected(program->error());
         }
@@ -165,21 +173,29 @@ Expected<Room> Room::create() {
     room.near_floor_ = std::move(*near_floor);
     room.far_floor_ = std::move(*far_floor);
     room.wall_ = std::move(*wall);
+    room.sky_ = std::move(*sky);
+    room.meadow_ = std::move(*grown);
     room.mark_ = std::move(*mark);
     room.dashed_mark_ = std::move(*dashed);
     room.floor_shadow_ = std::move(*floor_shadow);
-    for (auto* array :
-         {&room.floor_array_, &room.wall_array_, &room.shadow_array_, &room.mark_array_}) {
+    for (auto* array : {&room.floor_array_, &room.wall_array_, &room.sky_array_,
+                        &room.meadow_array_, &room.shadow_array_, &room.mark_array_}) {
         *array = gl::VertexArray::make();
     }
-    for (auto* buffer :
-         {&room.floor_corners_, &room.wall_corners_, &room.shadow_corners_, &room.mark_corners_}) {
+    for (auto* buffer : {&room.floor_corners_, &room.wall_corners_, &room.sky_corners_,
+                         &room.meadow_corners_, &room.shadow_corners_, &room.mark_corners_}) {
         *buffer = gl::Buffer::make();
     }
     fill(room.floor_array_, room.floor_corners_, floor_corners(), GL_STATIC_DRAW);
     describe({2});
     fill(room.wall_array_, room.wall_corners_, {}, GL_DYNAMIC_DRAW);
     describe({2, 3});
+    fill(room.sky_array_, room.sky_corners_, {}, GL_DYNAMIC_DRAW);
+    describe({2, 4});
+    Meadow meadow = make_meadow(kMeadowFrom);
+    fill(room.meadow_array_, room.meadow_corners_, meadow.corners, GL_STATIC_DRAW);
+    describe({3, 3});
+    room.plants_ = std::move(meadow.plants);
     fill(room.shadow_array_, room.shadow_corners_, {}, GL_DYNAMIC_DRAW);
     describe({3});
     fill(room.mark_array_, room.mark_corners_, {}, GL_DYNAMIC_DRAW);
@@ -194,19 +210,65 @@ void Room::draw_floor(const gl::Program& program, const SceneFrame& frame, std::
     program.set("u_centre", frame.light.centre_W);
     program.set("u_reach_m", frame.light.reach_m);
     program.set("u_rug_m", kRugRadius * frame.light.reach_m);
+    program.set("u_sun", Vector2f(frame.light.to_light.x(), frame.light.to_light.z()));
     program.set("u_fade_m", kHazeReach * frame.light.reach_m);
     program.set("u_floor", as_stored(theme::kFloor));
     program.set("u_rug", as_stored(theme::kRug));
     program.set("u_rug_ring", as_stored(theme::kRugRing));
-    program.set("u_horizon", as_stored(theme::kWallBottom));
+    program.set("u_horizon", as_stored(theme::kHaze));
     glBindVertexArray(floor_array_.name());
     glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
-void Room::draw(const SceneFrame& frame, const Camera& camera) const {
+void Room::draw(const SceneFrame& frame, const Camera& camera, const PictureSize& size,
+                int mark) const {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, mark, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     draw_floor(near_floor_, frame, 0, kNearCorners);
     draw_floor(far_floor_, frame, kNearCorners, kFarCorners);
+    if (size.height_px >= kLeastMeadow_px) {
+        draw_meadow(frame, mark);
+    }
+    glDisable(GL_STENCIL_TEST);
     draw_wall(camera);
+    draw_sky(camera, size);
+}
+
+void Room::draw_meadow(const SceneFrame& frame, int mark) const {
+    const Vector3f eye = (frame.eye_W - frame.light.centre_W) / frame.light.reach_m;
+    std::vector<GLint> firsts;
+    std::vector<GLsizei> counts;
+    for (const Plant& plant : plants_) {
+        // Right before the eye one would hide half the picture.
+        if ((plant.foot - eye).norm() > kNearestPlant) {
+            firsts.push_back(plant.first);
+            counts.push_back(plant.count);
+        }
+    }
+    glStencilFunc(GL_EQUAL, mark, 0xFF);
+    glDisable(GL_DEPTH_TEST);
+    meadow_.use();
+    meadow_.set("u_clip_from_world", frame.clip_from_world);
+    meadow_.set("u_centre", frame.light.centre_W);
+    meadow_.set("u_reach_m", frame.light.reach_m);
+    meadow_.set("u_fade_m", kHazeReach * frame.light.reach_m);
+    meadow_.set("u_horizon", as_stored(theme::kHaze));
+    glBindVertexArray(meadow_array_.name());
+    glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(),
+                      static_cast<GLsizei>(counts.size()));
+    glEnable(GL_DEPTH_TEST);
+}
+
+void Room::draw_sky(const Camera& camera, const PictureSize& size) const {
+    const std::vector<float> corners = sky_corners(camera, size);
+    fill(sky_array_, sky_corners_, corners, GL_DYNAMIC_DRAW);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    sky_.use();
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size() / kFloatsPerSkyCorner));
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
 }
 
 void Room::draw_shadows(const SceneFrame& frame, const ShadowPass& shadows,

@@ -1,4 +1,4 @@
-// The room: a wall of even light, a floor with a round rug, and marks under things.
+// The room, in the open air: a sky with clouds over hills, a meadow with a round rug, and marks under things.
 //
 // Thread: the one that holds the context. Cost: each pixel of the floor looks up the shadow map.
 #pragma once
@@ -8,6 +8,7 @@
 #include "runtime/render/gl/handle.h"
 #include "runtime/render/gl/program.h"
 #include "runtime/render/scene/object_pass.h"
+#include "runtime/render/scene/outdoors.h"
 #include "runtime/render/scene/space.h"
 
 #include <vector>
@@ -27,8 +28,10 @@ class Room {
   public:
     [[nodiscard]] static Expected<Room> create();
 
-    /// The floor; then the wall wherever nothing was drawn.
-    void draw(const SceneFrame& frame, const Camera& camera) const;
+    /// The floor, and where it is seen, marked with `mark` in the stencil, what grows on it: that hides nothing. Then the sky
+    /// wherever nothing was drawn.
+    void draw(const SceneFrame& frame, const Camera& camera, const PictureSize& size,
+              int mark) const;
     /// The shadows of things on the floor. Marks each darkened pixel with `mark` in the stencil, so
     /// that none is darkened twice.
     void draw_shadows(const SceneFrame& frame, const ShadowPass& shadows,
@@ -44,10 +47,14 @@ class Room {
   private:
     void draw_floor(const gl::Program& program, const SceneFrame& frame, std::size_t first,
                     std::size_t count) const;
+    void draw_meadow(const SceneFrame& frame, int mark) const;
+    void draw_sky(const Camera& camera, const PictureSize& size) const;
 
     gl::Program near_floor_;
     gl::Program far_floor_;
     gl::Program wall_;
+    gl::Program sky_;
+    gl::Program meadow_;
     gl::Program floor_shadow_;
     gl::Program mark_;
     gl::Program dashed_mark_;
@@ -55,6 +62,11 @@ class Room {
     gl::Buffer floor_corners_;
     gl::VertexArray wall_array_;
     gl::Buffer wall_corners_;
+    gl::VertexArray sky_array_;
+    gl::Buffer sky_corners_;
+    gl::VertexArray meadow_array_;
+    gl::Buffer meadow_corners_;
+    std::vector<Plant> plants_;
     gl::VertexArray shadow_array_;
     gl::Buffer shadow_corners_;
     gl::VertexArray mark_array_;

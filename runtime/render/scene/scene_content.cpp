@@ -27,9 +27,7 @@ std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
     item.placement = *placement;
     item.look = look_number(body.look);
     item.bounds = bounds_of(*placement, item.mesh->lowest, item.mesh->highest);
-    item.highlight = std::isfinite(body.highlight)
-                         ? static_cast<float>(std::clamp(body.highlight, 0.0, 1.0))
-                         : 0.0F;
+    item.light = body.light;
     const Vector3 from_target = item.bounds.centre_W - camera.target_W();
     const double aside_m = Vector3(from_target.x(), 0.0, from_target.z()).norm();
     const double reach_m = kLightReach * camera.distance_m();
@@ -37,7 +35,7 @@ std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
     item.casts_shadow = item.near && body.marked;
     const double depth_m = camera.forward_W().dot(item.bounds.centre_W - camera.eye_W());
     item.level =
-        depth_m > 0.0 ? gl::level_for(2.0 * item.bounds.radius_m * camera.px_per_m(depth_m)) : 0;
+        depth_m > 0.0 ? gl::level_for(2.0 * item.bounds.radius_m * camera.dots_per_m(depth_m)) : 0;
     return item;
 }
 
@@ -152,6 +150,18 @@ void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& t
     }
 }
 
+// A force that is remembered: slim, and it ends where the others begin.
+void add_remembered(SceneContent& content, const Camera& camera, ViewForce mark) {
+    constexpr ArrowStyle kSlimMark{.girth = 0.6};
+    if (const auto arrow = arrow_for(mark, camera, kSlimMark)) {
+        mark.at_W -= arrow->tip_W - arrow->tail_W;
+    }
+    if (const auto arrow = arrow_for(mark, camera, kSlimMark)) {
+        content.arrows.push_back(*arrow);
+        add_force_label(content, camera, mark, *arrow);
+    }
+}
+
 /// Where the hand itself is; seen through the tool it would only shimmer, so it appears as they part.
 std::optional<SceneContent::Ghost> ghost_of(const ViewBody& tool, bool tool_visible,
                                             const Pose& pose_W, const Camera& camera,
@@ -242,6 +252,9 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
             content.arrows.push_back(*arrow);
             add_force_label(content, camera, view.forces[i], *arrow);
         }
+    }
+    for (std::size_t i = 0; i < std::min(view.marks.size(), kMostForces); ++i) {
+        add_remembered(content, camera, view.marks[i]);
     }
     const double scale = common_scale(view.torques);
     for (const ViewTorque& torque : view.torques) {

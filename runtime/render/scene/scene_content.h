@@ -24,10 +24,10 @@ struct SceneItem {
     const gl::Mesh* mesh = nullptr;
     Placement placement;
     Bounds bounds;
-    float highlight = 0.0F;  ///< 0 to 1
-    int look = 0;            ///< of a material, looks.h; 0: as it is painted
-    std::size_t level = 0;   ///< of detail
-    bool near = true;        ///< where the lamp's shadows reach
+    BodyLight light = BodyLight::off;
+    int look = 0;           ///< of a material, looks.h; 0: as it is painted
+    std::size_t level = 0;  ///< of detail
+    bool near = true;       ///< where the lamp's shadows reach
     bool casts_shadow = true;
     bool is_hand = false;
     bool is_held = false;  ///< within the hand, as an apple in a bucket

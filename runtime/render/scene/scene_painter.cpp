@@ -2,6 +2,7 @@
 
 #include "runtime/render/force_colour.h"
 #include "runtime/render/overlay/measure.h"
+#include "runtime/render/scene/looks.h"
 #include "runtime/render/scene/shapes.h"
 #include "runtime/render/theme.h"
 
@@ -14,16 +15,21 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr float kBallRadius_m = 0.05F;
+constexpr double kIconOfMaterial_m = 0.045;
 constexpr std::array<float, 4> kBallColour{0.55F, 0.55F, 0.58F, 1.0F};
-constexpr float kHighlight_px = 7.0F;  // at 720
-constexpr float kArrowRim_px = 4.0F;   // at 720
+constexpr float kOffered_px = 4.0F;  // at 720
+constexpr float kShine_px = 14.0F;   // at 720; within it the rim
+constexpr float kShineAlpha = 0.45F;
+constexpr float kLitRim_px = 7.0F;    // at 720
+constexpr float kArrowRim_px = 4.0F;  // at 720
 constexpr float kGhostAlpha = 0.75F;
 constexpr float kHiddenAlpha = 0.9F;
 // What the stencil says about a pixel.
 constexpr int kShadowMark = 1;
-constexpr int kHighlightMark = 2;
+constexpr int kLightMark = 2;
 constexpr int kArrowMark = 3;
 constexpr int kHandMark = 4;
+constexpr int kFloorMark = 5;
 constexpr double kIconAngle_deg = 24.0;
 
 std::array<float, 4> linear_of(const Colour& c) {
@@ -164,11 +170,11 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
     if (view.in_space) {
         room_.draw_space(camera, content.orbits, {width_px, height_px, scale});
     } else {
-        room_.draw(frame, camera);
+        room_.draw(frame, camera, {width_px, height_px, scale}, kFloorMark);
         room_.draw_shadows(frame, shadows_, casters, kShadowMark);
         room_.draw_marks(frame, content.marks);
     }
-    draw_highlights(content, scale);
+    draw_lights(content, scale);
     draw_hidden_hands(content);
     if (content.ghost) {
         objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement, content.ghost->level,
@@ -203,17 +209,23 @@ void ScenePainter::draw_hidden_hands(const SceneContent& content) const {
     }
 }
 
-void ScenePainter::draw_highlights(const SceneContent& content, float scale) const {
+// A thin light line around what may be chosen; a broad golden shine around what is lit.
+void ScenePainter::draw_lights(const SceneContent& content, float scale) const {
+    const auto outline = [&](const SceneItem& item, const Colour& colour, float width_px) {
+        objects_.draw_outline(*item.mesh, item.placement, item.level, colour, width_px * scale,
+                              kLightMark);
+    };
     for (const SceneItem& item : content.items) {
-        if (item.highlight > 0.0F) {
-            objects_.draw_stencil(*item.mesh, item.placement, item.level, kHighlightMark);
+        if (item.light != BodyLight::off) {
+            objects_.draw_stencil(*item.mesh, item.placement, item.level, kLightMark);
         }
     }
     for (const SceneItem& item : content.items) {
-        if (item.highlight > 0.0F) {
-            objects_.draw_outline(*item.mesh, item.placement, item.level,
-                                  with_alpha(theme::kHighlight, item.highlight),
-                                  kHighlight_px * scale, kHighlightMark);
+        if (item.light == BodyLight::offered) {
+            outline(item, theme::kOffered, kOffered_px);
+        } else if (item.light == BodyLight::lit) {
+            outline(item, with_alpha(theme::kLit, kShineAlpha), kShine_px);
+            outline(item, theme::kLit, kLitRim_px);
         }
     }
 }
@@ -258,8 +270,8 @@ void ScenePainter::draw_wall(const Camera& camera, const gl::FrameTarget& target
     room_.draw_wall(camera);
 }
 
-void ScenePainter::draw_icon(const std::string& model, const Box& box, int width_px,
-                             int height_px) const {
+void ScenePainter::draw_icon(const std::string& model, const std::string& look, const Box& box,
+                             int width_px, int height_px) const {
     const int width = static_cast<int>(box.width);
     const int height = static_cast<int>(box.height);
     if (width < 1 || height < 1) {
@@ -267,8 +279,12 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
     }
     // From a little above, so far away that the model's ball fits.
     const gl::Mesh& mesh = find(model);
-    const Vector3 middle = 0.5 * (mesh.lowest + mesh.highest).cast<double>();
-    const double radius_m = 0.5 * static_cast<double>((mesh.highest - mesh.lowest).norm());
+    const int material = look_number(look);
+    // A ball and a box are of size 1, and a material's pattern is as fine as on a thing in the hand.
+    const double scale = material > 0 ? kIconOfMaterial_m : 1.0;
+    const Placement placement = place(Pose{}, Vector3::Constant(scale)).value_or(Placement{});
+    const Vector3 middle = 0.5 * scale * (mesh.lowest + mesh.highest).cast<double>();
+    const double radius_m = 0.5 * scale * static_cast<double>((mesh.highest - mesh.lowest).norm());
     const double away = 0.88 * radius_m / std::sin(0.5 * kIconAngle_deg * std::numbers::pi / 180.0);
     CameraDescription view;
     view.target_W = middle;
@@ -280,14 +296,15 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
     GLint picture = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &picture);
     shadows_.begin(frame.light);
-    shadows_.draw(mesh, Placement{});
+    shadows_.draw(mesh, placement);
     shadows_.end();
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(picture));
     glViewport(static_cast<GLint>(box.x), height_px - static_cast<GLint>(box.y) - height, width,
                height);
     glEnable(GL_DEPTH_TEST);
     objects_.begin(frame, shadows_);
-    objects_.draw_lit(mesh, Placement{}, 1);
+    material > 0 ? objects_.draw_of_material(mesh, placement, 1, material)
+                 : objects_.draw_lit(mesh, placement, 1);
     glViewport(0, 0, width_px, height_px);
 }
 

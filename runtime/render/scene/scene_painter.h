@@ -40,8 +40,9 @@ class ScenePainter {
     /// Paints the wall alone.
     void draw_wall(const Camera& camera, const gl::FrameTarget& target) const;
 
-    /// Paints a model, whole, into a box of the picture that was begun last, with nothing around.
-    void draw_icon(const std::string& model, const Box& box, int width_px, int height_px) const;
+    /// Paints a model, whole, into a box of the picture that was begun last, with nothing around; of a material, where it has a look.
+    void draw_icon(const std::string& model, const std::string& look, const Box& box, int width_px,
+                   int height_px) const;
 
   private:
     struct ArrowModel {
@@ -52,7 +53,7 @@ class ScenePainter {
     [[nodiscard]] const gl::Mesh& find(const std::string& model) const;
     void draw_shadows(const SceneContent& content, const Light& light) const;
     void draw_hidden_hands(const SceneContent& content) const;
-    void draw_highlights(const SceneContent& content, float scale) const;
+    void draw_lights(const SceneContent& content, float scale) const;
     void draw_arms(const std::vector<Placement>& arms, float scale) const;
     void draw_arrow(const Arrow& arrow, const Camera& camera, float scale) const;
 

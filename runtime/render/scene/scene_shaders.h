@@ -157,19 +157,25 @@ uniform vec3 u_rug;
 uniform vec3 u_rug_ring;
 uniform vec3 u_horizon;
 uniform float u_rug_m;
+uniform vec2 u_sun;  // where its light comes from, along the floor
 uniform float u_fade_m;
 in vec2 v_from_centre;
 out vec4 o_colour;
 void main() {
   float r = length(v_from_centre);
+  // A meadow has patches, and is lighter on the side of the sun.
+  vec2 place = v_from_centre / u_rug_m;
+  float patches = sin(2.1 * place.x + 1.3 * place.y) * sin(1.7 * place.y - 0.8 * place.x + 1.0);
+  float sunny = clamp(dot(place, u_sun), -1.0, 1.0);
+  vec3 floor_here = u_floor + vec3(0.020, 0.016, 0.008) * patches + vec3(0.030, 0.018, 0.0) * sunny;
 #ifdef NEAR
   float soft = fwidth(r);
   float on_rug = 1.0 - smoothstep(u_rug_m - soft, u_rug_m + soft, r);
   float from_ring = abs(r - 0.91 * u_rug_m) - 0.03 * u_rug_m;
   float on_ring = 1.0 - smoothstep(-soft, soft, from_ring);
-  vec3 colour = mix(mix(u_floor, u_rug, on_rug), u_rug_ring, on_ring);
+  vec3 colour = mix(mix(floor_here, u_rug, on_rug), u_rug_ring, on_ring);
 #else
-  vec3 colour = u_floor;
+  vec3 colour = floor_here;
 #endif
   o_colour = vec4(mix(colour, u_horizon, smoothstep(0.10 * u_fade_m, u_fade_m, r)), 1.0);
 }
@@ -193,20 +199,37 @@ out vec4 o_colour;
 void main() { o_colour = vec4(mix(u_in_shadow, vec3(1.0), lit_part(v_shadow)), 1.0); }
 )";
 
-/// The wall: colours are given at the corners.
-inline constexpr const char* kWallVertex = R"(
+/// The wall, clouds and hills: colours are given at the corners, with how much they cover, which without it is all.
+inline constexpr const char* kSkyVertex = R"(
 layout(location = 0) in vec2 a_position;
-layout(location = 1) in vec3 a_colour;
-out vec3 v_colour;
+layout(location = 1) in vec4 a_colour;
+out vec4 v_colour;
 void main() {
   v_colour = a_colour;
   gl_Position = vec4(a_position, 1.0, 1.0);
 }
 )";
-inline constexpr const char* kWallFragment = R"(
-in vec3 v_colour;
+/// Grass and flowers fade like the floor that they stand on.
+inline constexpr const char* kMeadowVertex = R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_colour;
+uniform mat4 u_clip_from_world;
+uniform vec3 u_centre;
+uniform vec3 u_horizon;
+uniform float u_reach_m;
+uniform float u_fade_m;
+out vec4 v_colour;
+void main() {
+  vec3 from_centre = u_reach_m * a_position;
+  float haze = smoothstep(0.10 * u_fade_m, u_fade_m, length(from_centre.xz));
+  v_colour = vec4(mix(a_colour, u_horizon, haze), 1.0);
+  gl_Position = u_clip_from_world * vec4(u_centre + from_centre, 1.0);
+}
+)";
+inline constexpr const char* kSkyFragment = R"(
+in vec4 v_colour;
 out vec4 o_colour;
-void main() { o_colour = vec4(v_colour, 1.0); }
+void main() { o_colour = v_colour; }
 )";
 
 /// Marks on the floor under things: a soft dark disc and a ring.

@@ -1,5 +1,6 @@
 #include "runtime/render/scene/space.h"
 
+#include "runtime/render/scene/chance.h"
 #include "runtime/render/theme.h"
 
 #include <algorithm>
@@ -19,16 +20,6 @@ constexpr float kSmallestStar_px = 1.0F;
 constexpr float kLargestStar_px = 2.6F;
 
 using Corner = Vector2f;  // in pixels
-
-/// 0 to 1, another one for each i, the same in every run.
-double chance(std::uint32_t i) {
-    i = (i ^ 61U) ^ (i >> 16U);
-    i *= 9U;
-    i ^= i >> 4U;
-    i *= 0x27d4eb2dU;
-    i ^= i >> 15U;
-    return static_cast<double>(i) / 4294967296.0;
-}
 
 /// Writes triangles in the picture's own coordinates.
 class Triangles {
@@ -81,7 +72,7 @@ void add_stars(Triangles& triangles, const Camera& camera, float scale) {
             0.5F * scale * (kSmallestStar_px + bright * (kLargestStar_px - kSmallestStar_px));
         triangles.add({*place + Corner(-half, -half), *place + Corner(half, -half),
                        *place + Corner(half, half), *place + Corner(-half, half)},
-                      between(theme::kSpace, theme::kPaper, 0.45F + 0.55F * bright));
+                      between(theme::kSpace, theme::kUsual.paper, 0.45F + 0.55F * bright));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "runtime/render/scene/tool_model.h"
 
 #include "runtime/render/scene/shapes.h"
+#include "runtime/render/theme.h"
 
 #include <cmath>
 #include <numbers>
@@ -11,8 +12,10 @@ namespace {
 
 using Outline = std::vector<std::array<float, 2>>;
 
-constexpr std::array<float, 4> kColour{0.807F, 0.174F, 0.044F, 1.0F};      // the cursor's, linear
-constexpr std::array<float, 4> kSecondColour{0.0F, 0.168F, 0.445F, 1.0F};  // Okabe-Ito's blue
+// Linear.
+std::array<float, 4> light_of(const Colour& colour) {
+    return {to_linear(colour.r), to_linear(colour.g), to_linear(colour.b), 1.0F};
+}
 constexpr float kBevel = 0.06F;  // of a cylinder's radius: a rim that catches the light
 constexpr int kArc = 12;
 
@@ -32,14 +35,14 @@ LoadedModel make_cylinder_model(float radius, float half_height) {
     add_quarter(profile, radius - bevel, bevel - half_height, bevel, -1.0F);
     add_quarter(profile, radius - bevel, half_height - bevel, bevel, 0.0F);
     profile.push_back({0.0F, half_height});
-    return make_lathe(profile, kColour);
+    return make_lathe(profile, light_of(theme::kHand));
 }
 
 LoadedModel make_capsule_model(float radius, float half_length) {
     Outline profile;
     add_quarter(profile, 0.0F, -half_length, radius, -1.0F);
     add_quarter(profile, 0.0F, half_length, radius, 0.0F);
-    return make_lathe(profile, kColour);
+    return make_lathe(profile, light_of(theme::kHand));
 }
 
 // Six faces of four corners each.
@@ -47,7 +50,7 @@ LoadedModel make_box_model(const Vector3& half_size_m) {
     LoadedModel model;
     model.primitives.emplace_back();
     ModelPrimitive& primitive = model.primitives.back();
-    primitive.base_colour = kColour;
+    primitive.base_colour = light_of(theme::kHand);
     primitive.roughness = 0.5F;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
@@ -76,7 +79,7 @@ LoadedModel make_box_model(const Vector3& half_size_m) {
 
 struct MakeModel {
     LoadedModel operator()(const SphereShape& ball) const {
-        return make_ball(static_cast<float>(ball.radius_m), kColour);
+        return make_ball(static_cast<float>(ball.radius_m), light_of(theme::kHand));
     }
     LoadedModel operator()(const BoxShape& box) const { return make_box_model(box.half_size_m); }
     LoadedModel operator()(const CapsuleShape& capsule) const {
@@ -89,7 +92,7 @@ struct MakeModel {
     }
     template <class Other>
     LoadedModel operator()(const Other& /*shape*/) const {
-        return make_ball(0.01F, kColour);
+        return make_ball(0.01F, light_of(theme::kHand));
     }
 };
 
@@ -102,7 +105,7 @@ LoadedModel make_tool_model(const CursorShape& shape) {
 LoadedModel make_second_tool_model(const CursorShape& shape) {
     LoadedModel model = make_tool_model(shape);
     for (ModelPrimitive& primitive : model.primitives) {
-        primitive.base_colour = kSecondColour;
+        primitive.base_colour = light_of(theme::kBlue);
     }
     return model;
 }

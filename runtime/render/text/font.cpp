@@ -1,14 +1,13 @@
 #include "runtime/render/text/font.h"
 
-#include "dialogue/unicode.h"
-#include "runtime/text/utf8.h"
+#include "runtime/render/text/faces.h"
+#include "runtime/render/text/shaper.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <unordered_map>
@@ -20,30 +19,20 @@ namespace {
 
 constexpr int kWhiteSide = 4;  // full pixels in the atlas' first corner, for plain shapes
 constexpr int kLetterGap = 1;  // between letters, so that no neighbour shines in
-constexpr std::size_t kFaceCount = 2;
-constexpr const char* kSpareFolder = "/usr/share/fonts/truetype/dejavu";
 
-/// Where a character is found: which face of the list, which glyph in it.
-struct Found {
-    std::size_t face = 0;
-    FT_UInt glyph = 0;
-    float advance_em = 0.5F;
-};
-
-std::uint64_t key_of(Face face, int size_px, char32_t character, int quarter) {
-    return (static_cast<std::uint64_t>(character) << 16U) |
-           (static_cast<std::uint64_t>(size_px) << 4U) |
-           (static_cast<std::uint64_t>(quarter) << 1U) | static_cast<std::uint64_t>(face);
+std::uint64_t key_of(const ShapedLetter& letter, int size_px, int quarter) {
+    return (static_cast<std::uint64_t>(letter.glyph) << 24U) |
+           (static_cast<std::uint64_t>(letter.face) << 16U) |
+           (static_cast<std::uint64_t>(size_px) << 4U) | static_cast<std::uint64_t>(quarter);
 }
 
 }  // namespace
 
 struct Font::Parts {
-    FT_Library library = nullptr;
-    // For each style the wished face, then the spare one; either may be missing.
-    std::array<std::vector<FT_Face>, kFaceCount> faces;
-    std::string notice;
-    mutable std::unordered_map<std::uint64_t, Found> found;
+    explicit Parts(const std::filesystem::path& folder) : faces(folder) {}
+
+    Faces faces;
+    Shaper shaper{faces};
     std::unordered_map<std::uint64_t, Glyph> glyphs;
     std::vector<std::uint8_t> atlas;
     int shelf_x = 0;
@@ -53,68 +42,9 @@ struct Font::Parts {
     int changed_first = 0;
     int changed_end = 0;
 
-    ~Parts() {
-        for (auto& list : faces) {
-            for (FT_Face face : list) {
-                FT_Done_Face(face);
-            }
-        }
-        if (library != nullptr) {
-            FT_Done_FreeType(library);
-        }
-    }
-
-    bool open(Face style, const std::filesystem::path& file) {
-        FT_Face opened = nullptr;
-        if (FT_New_Face(library, file.c_str(), 0, &opened) != 0) {
-            return false;
-        }
-        if (!FT_IS_SCALABLE(opened) || FT_Select_Charmap(opened, FT_ENCODING_UNICODE) != 0) {
-            FT_Done_Face(opened);
-            return false;
-        }
-        faces[static_cast<std::size_t>(style)].push_back(opened);
-        return true;
-    }
-
-    [[nodiscard]] Found look_up(Face style, char32_t character) const;
-    [[nodiscard]] const std::vector<FT_Face>& list(Face style) const {
-        const auto& bold = faces[static_cast<std::size_t>(Face::bold)];
-        return style == Face::bold && !bold.empty()
-                   ? bold
-                   : faces[static_cast<std::size_t>(Face::regular)];
-    }
     [[nodiscard]] bool reserve(int width, int height, int& x, int& y);
-    [[nodiscard]] Glyph draw(Face style, int size_px, char32_t character, int quarter);
+    [[nodiscard]] Glyph draw(const ShapedLetter& letter, int size_px, int quarter);
 };
-
-Found Font::Parts::look_up(Face style, char32_t character) const {
-    const std::uint64_t key = key_of(style, 0, character, 0);
-    if (const auto known = found.find(key); known != found.end()) {
-        return known->second;
-    }
-    // The first face that has the character, else a sign for a missing one.
-    Found result;
-    const auto& candidates = list(style);
-    for (const char32_t wanted : {character, dialogue::kReplacement, U'?'}) {
-        for (std::size_t i = 0; i < candidates.size() && result.glyph == 0; ++i) {
-            result.glyph = FT_Get_Char_Index(candidates[i], wanted);
-            result.face = i;
-        }
-        if (result.glyph != 0) {
-            break;
-        }
-    }
-    if (result.glyph != 0) {
-        FT_Face face = candidates[result.face];
-        if (FT_Load_Glyph(face, result.glyph, FT_LOAD_NO_SCALE) == 0 && face->units_per_EM > 0) {
-            result.advance_em = static_cast<float>(face->glyph->metrics.horiAdvance) /
-                                static_cast<float>(face->units_per_EM);
-        }
-    }
-    found[key] = result;
-    return result;
-}
 
 /// Letters stand on shelves, left to right, shelves from top to bottom.
 bool Font::Parts::reserve(int width, int height, int& x, int& y) {
@@ -133,16 +63,15 @@ bool Font::Parts::reserve(int width, int height, int& x, int& y) {
     return true;
 }
 
-Glyph Font::Parts::draw(Face style, int size_px, char32_t character, int quarter) {
+Glyph Font::Parts::draw(const ShapedLetter& letter, int size_px, int quarter) {
     Glyph glyph;
-    const Found place = look_up(style, character);
-    if (place.glyph == 0) {
+    if (letter.glyph == 0) {
         return glyph;
     }
-    FT_Face opened = list(style)[place.face];
+    FT_Face opened = faces.at(letter.face).outlines;
     FT_Set_Pixel_Sizes(opened, 0, static_cast<FT_UInt>(size_px));
     FT_GlyphSlot slot = opened->glyph;
-    if (FT_Load_Glyph(opened, place.glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0) {
+    if (FT_Load_Glyph(opened, letter.glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0) {
         return glyph;
     }
     FT_Outline_Translate(&slot->outline, FT_Pos{16} * quarter, 0);  // 26.6 fixed point: 64 a pixel
@@ -174,76 +103,45 @@ Glyph Font::Parts::draw(Face style, int size_px, char32_t character, int quarter
     return glyph;
 }
 
-Font::Font(const std::filesystem::path& folder) : parts_(std::make_unique<Parts>()) {
+Font::Font(const std::filesystem::path& folder) : parts_(std::make_unique<Parts>(folder)) {
     parts_->atlas.resize(static_cast<std::size_t>(kAtlasSide) * kAtlasSide);
     clear();
-    if (FT_Init_FreeType(&parts_->library) != 0) {
-        parts_->library = nullptr;
-        parts_->notice =
-            "the library that draws letters did not start; install libfreetype6 again.";
-        return;
-    }
-    const bool regular = parts_->open(Face::regular, folder / "Andika-Regular.ttf");
-    parts_->open(Face::bold, folder / "Andika-Bold.ttf");
-    const std::filesystem::path spare(kSpareFolder);
-    const bool spare_regular = parts_->open(Face::regular, spare / "DejaVuSans.ttf");
-    parts_->open(Face::bold, spare / "DejaVuSans-Bold.ttf");
-    if (!regular) {
-        parts_->notice = folder.string() + ": the font Andika is not there, so " +
-                         (spare_regular ? "DejaVu Sans is used" : "no words can be drawn") +
-                         "; install the package fonts-sil-andika.";
-    }
 }
 
 Font::~Font() = default;
 
 const std::string& Font::notice() const {
-    return parts_->notice;
+    return parts_->faces.notice();
 }
 
-float Font::advance_px(Face face, int size_px, char32_t character) const {
-    return parts_->look_up(face, character).advance_em * static_cast<float>(size_px);
-}
-
-float Font::kerning_px(Face face, int size_px, char32_t left, char32_t right) const {
-    const Found first = parts_->look_up(face, left);
-    const Found second = parts_->look_up(face, right);
-    if (first.glyph == 0 || second.glyph == 0 || first.face != second.face) {
-        return 0.0F;
-    }
-    FT_Face opened = parts_->list(face)[first.face];
-    FT_Vector units{};
-    if (!FT_HAS_KERNING(opened) || opened->units_per_EM == 0 ||
-        FT_Get_Kerning(opened, first.glyph, second.glyph, FT_KERNING_UNSCALED, &units) != 0) {
-        return 0.0F;
-    }
-    return static_cast<float>(units.x) * static_cast<float>(size_px) /
-           static_cast<float>(opened->units_per_EM);
+const std::vector<ShapedLetter>& Font::shape(Face style, std::u32string_view word,
+                                             bool right_to_left) const {
+    return parts_->shaper.shape(style, word, right_to_left);
 }
 
 LineMetrics Font::metrics(int size_px) const {
     const auto size = static_cast<float>(size_px);
-    const auto& regular = parts_->list(Face::regular);
-    if (regular.empty() || regular.front()->units_per_EM == 0) {
+    const OpenFace* regular = parts_->faces.usual();
+    if (regular == nullptr) {
         return {0.8F * size, 0.2F * size, 1.25F * size};
     }
     // Andika's own line is very open; early readers' lines stay apart at 1.3 of the size.
     constexpr float kLine = 1.3F;
-    const FT_Face face = regular.front();
-    const float unit = size / static_cast<float>(face->units_per_EM);
+    const FT_Face face = regular->outlines;
+    const float unit = size / regular->units_per_em;
     const float ascent = static_cast<float>(face->ascender) * unit;
     const float descent = -static_cast<float>(face->descender) * unit;
     const float shrink = std::min(1.0F, kLine * size / std::max(ascent + descent, 1.0F));
     return {ascent * shrink, descent * shrink, kLine * size};
 }
 
-Glyph Font::glyph(Face face, int size_px, char32_t character, int quarter) {
+Glyph Font::glyph(const ShapedLetter& letter, int size_px, int quarter) {
     const int size = std::clamp(size_px, 1, kLargestText_px);
-    const std::uint64_t key = key_of(face, size, character, quarter & 3);
+    const std::uint64_t key = key_of(letter, size, quarter & 3);
     if (const auto known = parts_->glyphs.find(key); known != parts_->glyphs.end()) {
         return known->second;
     }
-    const Glyph glyph = parts_->draw(face, size, character, quarter & 3);
+    const Glyph glyph = parts_->draw(letter, size, quarter & 3);
     if (!parts_->full) {
         parts_->glyphs[key] = glyph;
     }

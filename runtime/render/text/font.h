@@ -1,22 +1,25 @@
-// Letters as small pictures in one atlas, at the sizes asked for.
+// Words shaped into letters, and letters as small pictures in one atlas, at the sizes asked for.
 //
-//   Each letter is drawn once for each face, size and quarter of a pixel it may stand at; the pen
-//   moves by the font's own unhinted advances, so that words keep their shape at every size.
+//   Which letters of the font stand for a word's characters, and where, is the script's own rule
+//   (shaper.h). Each letter is drawn once for each face, size and quarter of a pixel it may stand at;
+//   the pen moves by the font's own unhinted advances, so that words keep their shape at every size.
 //
 // Thread: one. Cost: a letter's first use at a size takes about 50 us, later uses a hash look-up;
 // the atlas is kAtlasSide squared bytes.
 // Source: FreeType 2.12 reference, "Glyph Retrieval", "Outline Processing".
 #pragma once
 
+#include "runtime/render/text/shaped_letter.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::runtime {
-
-enum class Face : std::uint8_t { regular, bold };
 
 /// A letter in the atlas. All in pixels.
 struct Glyph {
@@ -51,15 +54,15 @@ class Font {
     /// One sentence, empty when all is as wished.
     [[nodiscard]] const std::string& notice() const;
 
-    /// How far the pen moves, pixels. A character that no face has counts as U+FFFD.
-    [[nodiscard]] float advance_px(Face face, int size_px, char32_t character) const;
-    /// What to add between two characters, mostly negative; 0 in a font without kerning.
-    [[nodiscard]] float kerning_px(Face face, int size_px, char32_t left, char32_t right) const;
+    /// The letters of a word in one direction, from left to right. A character that no font on this
+    /// machine has counts as U+FFFD. Holds until the next call.
+    [[nodiscard]] const std::vector<ShapedLetter>& shape(Face style, std::u32string_view word,
+                                                         bool right_to_left) const;
     [[nodiscard]] LineMetrics metrics(int size_px) const;
 
     /// The letter with its pen at `quarter`/4 of a pixel, drawn into the atlas when it is new. A
     /// letter that no longer fits has no width, and `is_full` says so.
-    [[nodiscard]] Glyph glyph(Face face, int size_px, char32_t character, int quarter);
+    [[nodiscard]] Glyph glyph(const ShapedLetter& letter, int size_px, int quarter);
 
     [[nodiscard]] bool is_full() const;
     /// Forgets all letters; those drawn later take their places.

@@ -1,5 +1,9 @@
 // Words set into lines: wrapped, emphasised, cut off where there is no room.
 //
+//   A line is broken behind a space or beside an ideograph, in a word only where it is wider than a
+//   line, and never in a cluster: a base with its marks, a syllable. Each line's words stand in the
+//   order in which their scripts run (directions.h).
+//
 // Thread: one (it asks the font). Cost: linear in the text.
 #pragma once
 
@@ -24,15 +28,19 @@ struct MarkedText {
 
 /// A letter and where its pen stands in its line.
 struct PlacedLetter {
-    char32_t character = U' ';
+    ShapedLetter shaped;        ///< its `first` counts in the whole text
+    char32_t character = U' ';  ///< the first of those that it stands for
     float x_px = 0.0F;
     float advance_px = 0.0F;
     bool emphasised = false;
 };
 
+/// From left to right.
 struct TextLine {
     std::vector<PlacedLetter> letters;
     float width_px = 0.0F;
+    float end_px = 0.0F;     ///< where what was written last ends: the caret's place
+    bool ends_left = false;  ///< it was written from right to left
 };
 
 /// A text set for drawing.
@@ -56,5 +64,9 @@ struct ParagraphSettings {
 /// Sets a text. Spaces at a break are dropped; '\n' always breaks.
 [[nodiscard]] Paragraph set_text(const Font& font, const MarkedText& text,
                                  const ParagraphSettings& settings);
+
+/// How many of the text's first characters to leave out so that the rest of its one line is at most
+/// so wide: what was typed last stays in sight. kMostCodePoints where nothing fits.
+[[nodiscard]] std::size_t characters_to_drop(const TextLine& line, float width_px);
 
 }  // namespace fulcrum::runtime

@@ -1,6 +1,6 @@
 local game = require "game"
 local know = require "know"
-local L = lesson { id = "floating", title = "Floating", level = "A2" }
+local L = lesson { id = "floating", title = "Floating", level = "B1" }
 know.things(L)
 L:question "float" {
   prompt = "Which block floats?",

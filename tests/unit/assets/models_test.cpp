@@ -4,6 +4,7 @@
 #include "assets/make/glb_writer.h"
 #include "haptics/geometry/mesh_report.h"
 #include "runtime/lua/api/reference_sections.h"
+#include "runtime/render/theme.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
 #include "runtime/scene/shape_models.h"
@@ -34,7 +35,7 @@ const std::array<Maker, 43> kMakers{{{"watermelon", make_watermelon, {0.20, 0.16
                                      {"banana", make_banana, {0.162, 0.061, 0.038}},
                                      {"egg", make_egg, {0.044, 0.057, 0.044}},
                                      {"bucket", make_bucket, {0.254, 0.185, 0.235}},
-                                     {"cursor", make_cursor, {0.04, 0.04, 0.04}},
+                                     {"cursor", make_cursor, {0.0914, 0.139, 0.0547}},
                                      {"ghost", make_ghost, {0.04, 0.04, 0.04}},
                                      {"star", make_star, {0.091, 0.086, 0.034}},
                                      {"ground", make_ground, {8.0, 0.21, 8.0}},
@@ -70,7 +71,7 @@ const std::array<Maker, 43> kMakers{{{"watermelon", make_watermelon, {0.20, 0.16
                                      {"handles", make_handles, {0.48, 0.1, 0.48}},
                                      {"cylinder", make_cylinder, {0.08, 0.16, 0.08}},
                                      {"capsule", make_capsule, {0.08, 0.2, 0.08}},
-                                     {"hand", make_hand, {0.1099, 0.1138, 0.0736}},
+                                     {"hand", make_hand, {0.0914, 0.139, 0.0547}},
                                      {"kite", make_kite, {0.15, 0.3, 0.008}}}};
 
 /// Each model is made once.
@@ -175,6 +176,14 @@ TEST_CASE("assets: every model is what lessons say, can be loaded, and is drawn 
             }
         }
     }
+}
+
+TEST_CASE("assets: the hand has the colour in which all that hands hold is drawn") {
+    const auto& glove = load(made({"cursor", make_cursor, {}})).primitives.front().base_colour;
+    const runtime::Colour wanted = runtime::theme::kHand;
+    CHECK(glove[0] == Approx(runtime::to_linear(wanted.r)).margin(1e-3));
+    CHECK(glove[1] == Approx(runtime::to_linear(wanted.g)).margin(1e-3));
+    CHECK(glove[2] == Approx(runtime::to_linear(wanted.b)).margin(1e-3));
 }
 
 TEST_CASE("assets: the same model is the same file every time") {

@@ -57,6 +57,42 @@ TEST_CASE("safety: a torque engages, rises, slews and fades by the force's laws 
     CHECK(gate.phase() == GatePhase::waiting);
 }
 
+TEST_CASE(
+    "safety: what comes late in a soft start comes as softly, and the gate opens when it has") {
+    const SafetySettings settings;
+    const auto rise = [&](const Wrench& late) {
+        SafetyGate gate(settings);
+        pass(gate, Wrench{}, 5);
+        pass(gate, Wrench{}, 1900);
+        REQUIRE(gate.phase() == GatePhase::rising);
+        int n = 0;
+        for (Wrench before{}; gate.phase() == GatePhase::rising; ++n) {
+            REQUIRE(n < 3000);
+            const double most_N = gate.find_most_N(kDt_s);
+            const Wrench now = pass(gate, late);
+            CHECK(now.force.norm() <= most_N + kRounding);
+            // Also in the call that opens it, but for what was left to come.
+            const double left = gate.phase() == GatePhase::rising ? 0.0 : settings.engage_below_N;
+            REQUIRE((now.force - before.force).norm() <= 0.005 + left + kRounding);
+            REQUIRE((now.torque - before.torque).norm() <=
+                    kTorquePerForce_m * (0.005 + left) + kRounding);
+            before = now;
+        }
+        return n;
+    };
+    // 4.3 of 4.5 N at 5 N/s, and a torque alike; 0.1 N are there when the time is over.
+    CHECK(rise(along_x(4.5)) == Approx(862).margin(3));
+    CHECK(rise(about_y(0.27)) == Approx(862).margin(3));
+    CHECK(rise(along_x(0.1)) == Approx(101).margin(3));
+    // One that comes and goes is there whenever it goes.
+    SafetyGate gate(settings);
+    pass(gate, Wrench{}, 5);
+    for (int i = 0; i < 2010; ++i) {
+        pass(gate, along_x(i % 10 < 5 ? 4.0 : 0.0));
+    }
+    CHECK(gate.phase() == GatePhase::open);
+}
+
 TEST_CASE("safety: a device without torque engages whatever torque is commanded") {
     SafetySettings settings;
     settings.max_torque_Nm = 0.0;

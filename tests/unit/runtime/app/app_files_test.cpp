@@ -168,6 +168,11 @@ TEST_CASE("places: a model's name cannot leave its folder") {
     CHECK(find_model(places, lesson, "pear").empty());
     CHECK(find_model(places, lesson, "../models/apple").empty());
     CHECK(find_model(places, lesson, "").empty());
+    // Without a lesson no file of the folder in which the program was started is one.
+    const fs::path started_in = fs::current_path();
+    fs::current_path(places.models);
+    CHECK(find_model(places, {}, "apple") == places.models / "apple.glb");
+    fs::current_path(started_in);
 }
 
 TEST_CASE("places: what lies in a folder comes in order; a folder that cannot be read is empty") {
@@ -345,6 +350,10 @@ TEST_CASE("watched files: while a lesson cannot be loaded, what comes into its f
     CAPTURE(name);
     folder.save(name);
     CHECK(files.changed());
+    // Four times a second is often enough.
+    CHECK(files.changed_by(7.0));
+    CHECK_FALSE(files.changed_by(7.2));
+    CHECK(files.changed_by(7.3));
 }
 
 TEST_CASE("watched files: a lesson is made of its sources, its pictures and its own models") {

@@ -21,7 +21,7 @@ WindowEvents frames(KeyHand& hand, WindowEvents events, int n) {
     for (int i = 0; i < n; ++i) {
         hand.take(events, false, kSize, kFrame_s);
         events.pressed.clear();
-        events.released.clear();
+        events.released_places.clear();
         events.wheel = 0.0;
         events.button_down = {};
     }
@@ -51,11 +51,30 @@ TEST_CASE("key hand: each of its keys moves the pointer its way, and no other ke
     CHECK(moved("left").isZero());  // is the lesson's
 }
 
+TEST_CASE("key hand: it is the keys' place that counts, not what stands on them") {
+    // On a French keyboard the key that is W's neighbour below is Q, and Z stands in the place of W.
+    WindowEvents events = at(500.0, 250.0);
+    events.pressed.push_back({.key = "z", .place = "w"});
+    KeyHand hand;
+    events = frames(hand, events, 10);
+    CHECK(events.pointer_y_px < 245.0);
+    // The key with a W there, at the place of Z, moves nothing, nor does it let go.
+    const double reached_px = events.pointer_y_px;
+    events.pressed.push_back({.key = "w", .place = "z"});
+    events.released = {"w"};
+    events.released_places = {"z"};
+    events = frames(hand, events, 10);
+    CHECK(events.pointer_y_px < reached_px - 5.0);
+    events.released_places = {"w"};
+    const double let_go_px = frames(hand, events, 1).pointer_y_px;
+    CHECK(frames(hand, at(500.0, let_go_px), 10).pointer_y_px == let_go_px);
+}
+
 TEST_CASE("key hand: a tap is a fine step, and what is held grows to its greatest speed") {
     KeyHand hand;
     const KeyHandSettings settings;
     WindowEvents events = pressed("d");
-    events.released = {};
+    events.released_places = {};
     hand.take(events, false, kSize, kFrame_s);
     CHECK(events.pointer_x_px - 500.0 == Approx(settings.slow * kFrame_s * kSize.height_px));
 
@@ -77,7 +96,7 @@ TEST_CASE("key hand: the pointer stays in the picture, and rests where the key w
     KeyHand hand;
     CHECK(frames(hand, pressed("a"), 1000).pointer_x_px == 0.0);
     WindowEvents up = at(0.0, 250.0);
-    up.released = {"a"};
+    up.released_places = {"a"};
     CHECK(frames(hand, up, 100).pointer_x_px == 0.0);
 }
 
@@ -102,7 +121,7 @@ TEST_CASE("key hand: page keys turn the wheel, the mouse takes over, a lost wind
     (void)frames(hand, pressed("d"), 20);
     WindowEvents mouse = at(10.0, 20.0);
     mouse.pointer_moved = true;
-    mouse.released = {"d"};
+    mouse.released_places = {"d"};
     hand.take(mouse, false, kSize, kFrame_s);
     CHECK(mouse.pointer_x_px == 10.0);
 

@@ -1,4 +1,4 @@
-#include "runtime/app/choice_picture.h"
+#include "runtime/app/card_picker.h"
 #include "runtime/app/menu_screen.h"
 #include "runtime/app/typing.h"
 #include "tests/unit/runtime/progress/test_store.h"
@@ -13,8 +13,9 @@ namespace {
 fulcrum::dialogue::Catalogue words() {
     return fulcrum::dialogue::Catalogue::parse(
                "menu.title = Fulcrum\nmenu.hello = Hello, {name}!\nmenu.who = Who are you?\n"
-               "menu.no_lessons = There are no lessons yet.\n"
-               "menu.minutes = {minutes} minutes\n")
+               "menu.no_lessons = There are no lessons yet.\nmenu.choose = Choose a lesson.\n"
+               "menu.guest = Guest\nmenu.back = Back\n"
+               "menu.minutes.other = {minutes} minutes\n")
         .value();
 }
 
@@ -30,9 +31,10 @@ LessonCard card(const std::string& title, const std::string& error = {}) {
 
 // The list as it is seen in a window of 1280 x 720.
 MenuLayout seen(int n_cards, const MenuChoice& choice) {
-    const std::vector<LessonCard> cards(static_cast<std::size_t>(n_cards), card("Weights"));
-    return lay_out_menu(menu_view(cards, choice, words()), Measure(1280, 720),
-                        std::vector<runtime::Box>{});
+    const auto count = static_cast<std::size_t>(n_cards);
+    View view = menu_view(std::vector<LessonCard>(count, card("Weights")), choice, words());
+    view.menu.resize(count);
+    return lay_out_menu(view, Measure(1280, 720), std::vector<runtime::Box>{});
 }
 
 const MenuCard& card_in(const MenuLayout& layout, int index) {
@@ -73,12 +75,14 @@ int selected_after(const MenuInput& input, int n_cards, const MenuChoice& before
 
 }  // namespace
 
-TEST_CASE("menu: each lesson is a card with title, level and minutes") {
+TEST_CASE("menu: each lesson is a card with title, level and minutes, and the next guest is one") {
     const View view = menu_view({card("Weights"), card("Textures")}, {1, 0}, words());
-    REQUIRE(view.menu.size() == 2);
+    REQUIRE(view.menu.size() == 3);
     CHECK(view.menu[0].title == "Weights");
     CHECK(view.menu[0].subtitle == "A1 · 10 minutes");
     CHECK(view.menu[0].icon == "apple");
+    CHECK(view.menu[2].title == "Guest");
+    CHECK_FALSE(view.menu[2].leads_back);
     CHECK(view.menu_selected == 1);
     CHECK(view.caption == "Who are you?");
     CHECK(view.banner.empty());
@@ -115,7 +119,7 @@ TEST_CASE("menu: a card shows the most stars with which the learner came to its 
     weights.id = "weights";
     LessonCard kite = card("Kite");
     kite.id = "kite";
-    const View view = menu_view({weights, kite}, {}, words(), "Mina", stars);
+    const View view = menu_view({weights, kite}, {}, words(), {.learner = "Mina"}, stars);
     CHECK(view.menu[0].stars == 2);
     CHECK(view.menu[1].stars == -1);
     CHECK(menu_view({weights}, {}, words()).menu[0].stars == -1);
@@ -242,7 +246,8 @@ TEST_CASE("menu: the window's events are read as they are meant") {
     CHECK(first.down == 2);
     CHECK(first.across == -1);
     CHECK_FALSE(first.start);
-    CHECK_FALSE(first.leave);
+    CHECK_FALSE(first.back);
+    CHECK_FALSE(first.close);
     CHECK(first.scroll == 0);
     CHECK(first.pointed);
     CHECK(first.pointer_x_px == 3.0);
@@ -263,10 +268,13 @@ TEST_CASE("menu: the window's events are read as they are meant") {
     CHECK(second.click_x_px == 7.0);
     CHECK(second.click_y_px == 9.0);
     events.pressed = {{"escape"}};
-    CHECK(read_menu_input(events, wheel, name).leave);
+    const MenuInput escaped = read_menu_input(events, wheel, name);
+    CHECK(escaped.back);
+    CHECK_FALSE(escaped.close);
     events.pressed.clear();
     events.close = true;
-    CHECK(read_menu_input(events, wheel, name).leave);
+    CHECK(read_menu_input(events, wheel, name).close);
+    CHECK_FALSE(read_menu_input(events, wheel, name).back);
 }
 
 TEST_CASE("menu: what is typed is who plays; a blank within a name starts nothing") {
@@ -290,50 +298,13 @@ TEST_CASE("menu: what is typed is who plays; a blank within a name starts nothin
     CHECK(read_menu_input(events, wheel, name).start);
     CHECK(name.text() == "Zo");
 
-    const View asked = menu_view({card("Weights")}, {}, words(), "");
+    const View asked = menu_view({card("Weights")}, {}, words());
     CHECK(asked.input_visible);
     CHECK(asked.caption == "Who are you?");
-    const View greeted = menu_view({card("Weights")}, {}, words(), "Zo");
+    const View greeted = menu_view({card("Weights")}, {}, words(), {.learner = "Zo"});
     CHECK(greeted.caption == "Hello, Zo!");
     CHECK(greeted.input == "Zo");
     CHECK_FALSE(menu_view({}, {}, words()).input_visible);
-}
-
-TEST_CASE("choice picture: a thing of the scene, else what is called as a model, else none") {
-    const ScratchFolder models;
-    const ScratchFolder folder;
-    for (const auto& [where, name] : {std::pair{models.path(), "jupiter.glb"},
-                                      {models.path(), "sun.glb"},
-                                      {models.path(), "apple.glb"},
-                                      {folder.path(), "felt.gltf"}}) {
-        std::ofstream(where / name) << "x";
-    }
-    Places places;
-    places.models = models.path();
-    LessonDescription lesson;
-    BodyDescription apple;
-    apple.noun = "apple";
-    apple.model = "red_apple";
-    BodyDescription walls;
-    walls.noun = "wall";
-    walls.model = "hedge";
-    walls.boxes.emplace_back();
-    lesson.bodies = {apple, walls};
-    const auto picture = [&](const AnswerSlots& meaning) {
-        return find_choice_picture({"", true, meaning}, lesson, places, folder.path());
-    };
-    CHECK(picture({{"thing", "apple"}}) == "red_apple");
-    CHECK(picture({{"planet", "Jupiter"}}) == "jupiter");
-    CHECK(picture({{"planet", "the Sun"}}) == "sun");
-    CHECK(picture({{"material", "felt"}}) == "felt");
-    // What stands in the scene is nearer than what is only called so.
-    CHECK(picture({{"planet", "Jupiter"}, {"thing", "apple"}}) == "red_apple");
-    CHECK(picture({{"size", "big"}, {"planet", "Jupiter"}}) == "jupiter");
-    // Many boxes together are no picture; a name that leads elsewhere is no model.
-    CHECK(picture({{"thing", "wall"}}).empty());
-    CHECK(picture({{"thing", "../models/sun"}}).empty());
-    CHECK(picture({{"thing", ""}}).empty());
-    CHECK(picture({}).empty());
 }
 
 TEST_CASE("typing: letters come in, return takes the line") {
@@ -372,6 +343,9 @@ TEST_CASE("typing: control characters and overlong lines are left out, no part o
 }
 
 TEST_CASE("typing: blanks alone are no answer") {
+    CHECK(TypedLine().is_blank());
+    CHECK(TypedLine(9, "  ").is_blank());
+    CHECK_FALSE(TypedLine(9, " a").is_blank());
     TypedLine line;
     line.add("   ");
     CHECK_FALSE(line.take());

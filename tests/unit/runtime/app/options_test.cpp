@@ -51,9 +51,10 @@ TEST_CASE("options: run takes a lesson and every documented flag") {
 }
 
 TEST_CASE("options: each command takes its own, as it is said") {
-    CHECK(read("").command == Command::menu);
+    CHECK(read("").command == Command::room);
     const Options menu = read("--learner Mina --mute");
-    CHECK(menu.command == Command::menu);
+    CHECK(menu.command == Command::room);
+    CHECK(read("menu").command == Command::menu);
     CHECK(menu.learner == "Mina");
     CHECK(menu.mute);
 
@@ -101,6 +102,14 @@ TEST_CASE("options: each command takes its own, as it is said") {
     CHECK((force.lesson == "a.rec" && force.force_at_s == 12.5 && force.json));
     const Options table = read("export a.rec --out b.csv");
     CHECK((table.command == Command::export_record && table.out == "b.csv"));
+
+    const Options school = read("class new 4b Mina Tim --names a.txt --class 5a --db x.db");
+    CHECK(school.command == Command::school_class);
+    CHECK(school.words == Strings{"new", "4b", "Mina", "Tim"});
+    CHECK((school.names_file == "a.txt" && school.class_name == "5a" && school.database == "x.db"));
+    CHECK(read("menu --class 5a").class_name == "5a");
+    CHECK(read("report --guests").each_guest);
+    CHECK_FALSE(read("report").each_guest);
 
     CHECK_FALSE(read("stop").only_process);
     CHECK(read("stop --only 1234").only_process == 1234);
@@ -243,7 +252,8 @@ TEST_CASE("options: each choice that the help names is taken, as itself, and no 
     const auto chosen = [](const std::string& line) {
         const Options o = read(line);
         return std::tuple(o.first_use, o.by, o.listen, o.format, o.arm.kind, o.arm.motion,
-                          o.voice.kind, o.fit.left_handed);
+                          o.voice.value_or(VoiceKind::flite), o.picture, o.fit.left_handed,
+                          o.language);
     };
     for (const OptionRow& option : option_rows()) {
         const std::string value(option.value);

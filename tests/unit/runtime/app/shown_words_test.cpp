@@ -3,6 +3,7 @@
 #include "haptics/link/link_faults.h"
 #include "runtime/app/begin_help.h"
 #include "runtime/app/hand_device.h"
+#include "runtime/app/key_hand.h"
 #include "runtime/app/link_words.h"
 #include "runtime/app/parse_options.h"
 #include "runtime/app/shown_sentences.h"
@@ -244,11 +245,16 @@ TEST_CASE(
     CHECK(say_begin_help({}, words).empty());
     BeginHelp help;
     help.has_mouse = true;
-    CHECK(say_begin_help(help, words) == words.say("hud.mouse_help"));
+    help.keys = "Z, Q, S, D";
+    CHECK(say_begin_help(help, words) == words.say("hud.mouse_help", {{"keys", "Z, Q, S, D"}}));
     help.may_ask = help.tells_why = true;
-    check_says(say_begin_help(help, words), {words.say("hud.mouse_help").c_str(), "Tab", "F3"});
-    help.has_keys = help.left_handed = true;
-    check_says(say_begin_help(help, words), {words.say("hud.left_two_hands_help").c_str()});
+    check_says(say_begin_help(help, words), {"Move the mouse.", "press Z, Q, S, D.", "Tab", "F3"});
+    help.has_keys = true;
+    check_says(say_begin_help(help, words),
+               {"The mouse moves finger 1. Z, Q, S, D move finger 2;"});
+    // Without a window that knows better they are called as on an American keyboard.
+    CHECK(list_hand_keys(false) == "W, A, S, D");
+    CHECK(list_hand_keys(true) == "I, J, K, L");
     // An arm shows by itself how it moves.
     const std::vector<std::string> things{"metal", "rock"};
     BeginHelp arm;

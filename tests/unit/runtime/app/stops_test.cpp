@@ -1,4 +1,5 @@
 #include "runtime/app/interrupt.h"
+#include "runtime/app/lesson_parts.h"
 #include "runtime/app/stop_signal.h"
 #include "tests/unit/runtime/rig.h"
 
@@ -34,8 +35,15 @@ int try_signals() {
     if (interrupted() || interrupt_exit_code() != 0) {
         return 4;
     }
+    if (!patience({})(2.0) || patience(2.0)(2.0)) {
+        return 5;
+    }
     (void)std::raise(SIGTERM);
-    return interrupted() && interrupt_exit_code() == 128 + SIGTERM ? 0 : 5;
+    // What a lesson's process was asked before is waited for, but not for long.
+    if (!patience({})(0.4) || patience({})(0.6)) {
+        return 6;
+    }
+    return interrupted() && interrupt_exit_code() == 128 + SIGTERM ? 0 : 7;
 }
 
 // Read before any process is started, so that the others have it too.

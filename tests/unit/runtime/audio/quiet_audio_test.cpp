@@ -17,6 +17,7 @@ struct Card final : SoundPlayer {
         return {};
     }
     void set_force_sound(double /*force_N*/) override {}
+    void set_volume(double gain) override { volume = gain; }
     void set_stream(SoundStream* given) override { stream = given; }
     void speak(std::span<const float> /*samples*/) override {}
     void hush() override {}
@@ -27,6 +28,7 @@ struct Card final : SoundPlayer {
 
     bool is_there = true;
     int n_plays = 0;
+    double volume = 1.0;
     SoundStream* stream = nullptr;
 };
 
@@ -122,6 +124,8 @@ TEST_CASE("lasting player: a card that goes is told once, and one that comes is 
         }
     };
     player.set_stream(&stream);
+    player.set_volume(0.3);
+    CHECK(card->volume == 0.3);
     goes_on(3);
     CHECK(player.audible());
     CHECK(player.take_notice().empty());
@@ -146,6 +150,7 @@ TEST_CASE("lasting player: a card that goes is told once, and one that comes is 
     CHECK(player.take_notice() == "There is a sound card again.");
     REQUIRE(opened != nullptr);
     CHECK(opened->stream == &stream);
+    CHECK(opened->volume == 0.3);
     CHECK(silence->stream() == nullptr);
     CHECK(player.play("click"));
     CHECK(opened->n_plays == 1);

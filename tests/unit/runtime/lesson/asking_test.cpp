@@ -101,20 +101,96 @@ TEST_CASE("answer choices: the right one of a hundred is found; of none, three o
     CHECK(std::ranges::count(wrong, true, &AnswerChoice::right) == 0);
 }
 
-TEST_CASE("answer choices: nothing is compared with itself") {
-    const auto question = value_of(dialogue::compile_question(
-        {"heavier",
-         "Which one is heavier?",
-         {"[a|an|the] {thing} is <comparative:heavy> [than [a|an|the] {other}]"},
-         {{"thing", {"apple", "egg", "stone"}}, {"other", {"apple", "egg", "stone"}}}}));
-    const auto choices = value_of(make_choices(question, [](const AnswerSlots& slots) {
-        return Expected<bool>(slots.front().second == "stone");
-    }));
-    CHECK(choices.size() == kMostChoices);
+namespace {
+
+Texts said_by(const std::vector<AnswerChoice>& choices) {
+    Texts said;
     for (const AnswerChoice& choice : choices) {
-        INFO(choice.said);
-        CHECK((choice.meaning.size() < 2 || choice.meaning[0].second != choice.meaning[1].second));
+        said.push_back((choice.right ? "+" : "") + choice.said);
     }
+    std::ranges::sort(said);
+    return said;
+}
+
+dialogue::Question asked(const std::string& prompt, const std::vector<std::string>& answers,
+                         const dialogue::NamedLists& lists) {
+    return value_of(dialogue::compile_question({"asked", prompt, answers, lists}));
+}
+
+/// Right is what has all of these words.
+Verdict says(const std::vector<std::string>& words) {
+    return [words](const AnswerSlots& slots) {
+        return Expected<bool>(std::ranges::all_of(words, [&](const std::string& word) {
+            return std::ranges::any_of(slots,
+                                       [&](const auto& slot) { return slot.second == word; });
+        }));
+    };
+}
+
+}  // namespace
+
+TEST_CASE("answer choices: nothing is compared with itself, but with what it is compared with") {
+    const Texts things{"apple", "egg"};
+    const auto question = asked("Which one is heavier?",
+                                {"[the] {thing} is <comparative:heavy> [than [the] {other}]"},
+                                {{"thing", things}, {"other", things}});
+    const auto choices = value_of(make_choices(question, [](const AnswerSlots& slots) {
+        return Expected<bool>(slots.front().second == "apple");
+    }));
+    CHECK(said_by(choices) ==
+          Texts{"+The apple is heavier than the egg.", "The egg is heavier than the apple."});
+}
+
+TEST_CASE(
+    "answer choices: only what is seen is offered, and of two that are asked about these two") {
+    const Texts things{"apple", "egg", "stone", "feather"};
+    const dialogue::NamedLists lists{{"thing", things}};
+    const std::vector<std::string> answers{"the {thing} is the <superlative:heavy>"};
+    const auto of_all = asked("Which one is the heaviest?", answers, lists);
+    CHECK(said_by(value_of(make_choices(of_all, says({"egg"}), {"egg", "apple", "tree"}))) ==
+          Texts{"+The egg is the heaviest.", "The apple is the heaviest."});
+    // Where no two of them are seen, nobody knows what is in play.
+    CHECK(value_of(make_choices(of_all, says({"egg"}), {"egg"})).size() == things.size());
+    const auto of_two = asked("Which one is the heaviest, the egg or the stone?", answers, lists);
+    CHECK(said_by(value_of(make_choices(of_two, says({"egg"}), {"egg", "apple", "stone"}))) ==
+          Texts{"+The egg is the heaviest.", "The stone is the heaviest."});
+}
+
+TEST_CASE("answer choices: the taught sentence, another word at one place, and no nonsense") {
+    const Texts words{"hard", "soft", "rough", "smooth"};
+    const auto question = asked("What is metal like?",
+                                {"{material} is <adjective:{feel}> [and <adjective:{feel:also}>]",
+                                 "(it|this) is <adjective:{feel}>"},
+                                {{"material", {"metal", "wood"}}, {"feel", words}});
+    CHECK(said_by(value_of(make_choices(question, says({"hard", "smooth"})))) ==
+          Texts{"+Metal is hard and smooth.", "Metal is hard and rough.",
+                "Metal is soft and smooth."});
+}
+
+TEST_CASE("answer choices: what the question names is not offered for what it asks") {
+    const Texts things{"box", "cup", "hat"};
+    const auto question = asked("Where is the box now?", {"it is {place} the {thing}"},
+                                {{"place", {"on", "under"}}, {"thing", things}});
+    CHECK(said_by(value_of(make_choices(question, says({"on", "cup"}), things))) ==
+          Texts{"+It is on the cup.", "It is on the hat.", "It is under the cup."});
+}
+
+TEST_CASE(
+    "answer choices: another answer's sentence, where the first says nothing wrong or right") {
+    const auto question = asked("Is it heavier?", {"{yes} it is", "{no} it is not"},
+                                {{"yes", {"yes"}}, {"no", {"no"}}});
+    CHECK(said_by(value_of(make_choices(question, says({"yes"})))) ==
+          Texts{"+Yes, it is.", "No, it is not."});
+    CHECK(said_by(value_of(make_choices(question, says({"no"})))) ==
+          Texts{"+No, it is not.", "Yes, it is."});
+}
+
+TEST_CASE("answer choices: where nothing is wrong, each may be chosen") {
+    const auto question = asked("Now you ask me!", {"how big is {planet}"},
+                                {{"planet", {"Mars", "Venus", "Saturn", "Neptune", "Uranus"}}});
+    const auto choices = value_of(make_choices(question, says({})));
+    CHECK(choices.size() == kMostChoices);
+    CHECK(std::ranges::all_of(choices, &AnswerChoice::right));
 }
 
 TEST_CASE("answer choices: a verdict that fails is the lesson's error") {

@@ -117,6 +117,34 @@ TEST_CASE("commands: a cloth lies on one body until it is taken away") {
     CHECK(play.refuses(CoverCommand{-1, true}));
 }
 
+TEST_CASE("commands: what was felt of a body is shown until it is taken away") {
+    Play play;
+    play.frame();
+    (void)play.reply({MarkCommand{1, 2.5}});
+    CHECK(play.session->hud().marked_N == std::vector<double>{0.0, 2.5});
+    (void)play.reply({MarkCommand{1, 0.0}});
+    CHECK(play.session->hud().marked_N == std::vector<double>{0.0, 0.0});
+    CHECK(play.refuses(MarkCommand{2, 1.0}));
+    CHECK(play.refuses(MarkCommand{-1, 1.0}));
+}
+
+TEST_CASE("commands: a body is lit until it is lit otherwise, and its sign with it") {
+    Play play;
+    play.frame();
+    const LessonDescription lesson = two_things();
+    const Plan plan = compile_plan(lesson, {}, nullptr).value();
+    const auto shown = [&] {
+        return compose_view(lesson, plan, play.session->hud(), Scenery{}, torque_words());
+    };
+    CHECK(shown().lights.empty());
+    (void)play.reply({LightCommand{0, BodyLight::offered}, LightCommand{1, BodyLight::lit}});
+    CHECK(shown().lights == std::vector<bool>{false, true});
+    (void)play.reply({LightCommand{0, BodyLight::lit}, LightCommand{1, BodyLight::off}});
+    CHECK(shown().lights == std::vector<bool>{true});
+    CHECK(play.refuses(LightCommand{2, BodyLight::lit}));
+    CHECK(play.refuses(LightCommand{-1, BodyLight::lit}));
+}
+
 TEST_CASE("commands: a force of the lesson's own carries the time of its frame") {
     Play play(with_forces());
     play.time_s = 4.0;

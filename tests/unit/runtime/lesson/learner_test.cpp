@@ -1,6 +1,9 @@
 #include "dialogue/marking/mark_answer.h"
+#include "runtime/audio/voice/voice_program.h"
+#include "runtime/lesson/hand_fit.h"
 #include "runtime/lesson/learner_feedback.h"
 #include "runtime/lesson/learner_model.h"
+#include "runtime/lesson/learner_settings.h"
 #include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
@@ -166,6 +169,77 @@ TEST_CASE("throat, learner's feedback: read from the store; from an unreadable o
     const auto nothing = make_null_store();
     CHECK_FALSE(read_throat(*nothing, mina));
     CHECK(read_feedback(*nothing, mina).empty());
+}
+
+TEST_CASE("settings: the learner's newest are kept, each by itself, and those of nobody else") {
+    MemoryStore store;
+    ScreenSettings chosen;
+    chosen.set(SettingKind::text_size, 2);
+    chosen.set(SettingKind::sound, 0);
+    chosen.set(SettingKind::hand, 1);
+    REQUIRE(keep_settings(store, "Mina", {}, chosen));
+    REQUIRE(store.data.hands.size() == 3);  // what was not changed is none
+    const LearnerId mina = store.data.hands[0].learner;
+    CHECK(find_settings(store.data, mina) == chosen);
+    CHECK(find_settings(store.data, kTom) == ScreenSettings{});
+    // The hand is what --handed keeps.
+    CHECK(find_fit(store.data, mina, "mouse").fit.left_handed == true);
+    CHECK(find_fit(store.data, mina, "mouse").notices.empty());
+    // Back to the usual.
+    store.data.hands.push_back({random_record_id(), mina, "screen", "text", "usual", 0});
+    chosen.set(SettingKind::text_size, 0);
+    CHECK(find_settings(store.data, mina) == chosen);
+    for (const char* odd : {"", "huge", "USUAL", "2", "off"}) {
+        store.data.hands.push_back({random_record_id(), mina, "screen", "text", odd, 0});
+    }
+    store.data.hands.push_back({random_record_id(), mina, "mouse", "text", "large", 0});
+    CHECK(find_settings(store.data, mina) == chosen);
+}
+
+TEST_CASE("settings: who has chosen nothing has what is usual here, and may choose otherwise") {
+    MemoryStore store;
+    ScreenSettings usual;
+    usual.set(SettingKind::language, static_cast<int>(Language::korean));
+    CHECK(find_settings(store.data, kTom, usual) == usual);
+    ScreenSettings english = usual;
+    english.set(SettingKind::language, static_cast<int>(Language::english));
+    REQUIRE(keep_settings(store, "Mina", usual, english));
+    REQUIRE(store.data.hands.size() == 1);
+    CHECK(store.data.hands[0].name == "language");
+    CHECK(store.data.hands[0].value == "en");
+    CHECK(find_settings(store.data, store.data.hands[0].learner, usual) == english);
+}
+
+TEST_CASE("settings: nothing is kept of a guest, nor of what stayed as it was") {
+    MemoryStore store;
+    ScreenSettings chosen;
+    chosen.go_on(SettingKind::contrast);
+    REQUIRE(keep_settings(store, "", {}, chosen));
+    REQUIRE(keep_settings(store, "Mina", chosen, chosen));
+    CHECK(store.data.hands.empty());
+    CHECK_FALSE(read_settings(store, ""));
+    CHECK(read_settings(store, "Mina") == ScreenSettings{});
+    store.refusals = 2;
+    CHECK_FALSE(keep_settings(store, "Mina", {}, chosen));
+}
+
+TEST_CASE("settings: each goes through its steps and begins again") {
+    for (const SettingRow& row : kScreenSettings) {
+        ScreenSettings settings;
+        CHECK(settings.step(row.kind) == row.usual);
+        for (int i = 1; i <= row.n_steps; ++i) {
+            settings.go_on(row.kind);
+            CHECK(settings.step(row.kind) == (row.usual + i) % row.n_steps);
+            settings.set(row.kind, row.n_steps);
+            settings.set(row.kind, -1);
+            CHECK(settings.step(row.kind) == (row.usual + i) % row.n_steps);
+        }
+        CHECK(settings == ScreenSettings{});
+    }
+    ScreenSettings usual;
+    CHECK(usual.volume() == 1.0);
+    CHECK(usual.voice_speed() == VoiceSettings{}.speed);
+    CHECK(usual.text_scale() == 1.0);
 }
 
 TEST_CASE("simulated pupil: thinks first, then says one line a question") {

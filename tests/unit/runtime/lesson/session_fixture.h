@@ -38,6 +38,8 @@ inline const dialogue::Catalogue& words() {
     static const dialogue::Catalogue catalogue = dialogue::Catalogue::parse(
                                                      "hud.weight = felt {felt} N, true {true} N\n"
                                                      "hud.force = {newtons} N\n"
+                                                     "hud.you_said = You said: {said}\n"
+                                                     "hud.better = Better: {sentence}\n"
                                                      "feedback.praise.1 = Yes!\n"
                                                      "feedback.recast = Yes. {sentence}\n"
                                                      "feedback.prompt = Once more: {gap}\n"

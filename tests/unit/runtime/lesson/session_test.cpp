@@ -91,6 +91,38 @@ TEST_CASE("session: what the world did becomes events and sounds") {
     CHECK(play.session->result().caught == 1);
 }
 
+TEST_CASE("session: where something is caught or answered rightly there is a burst, for a while") {
+    Play play;
+    SessionInput input;
+    WorldSnapshot world;
+    world.n_bodies = 2;
+    world.bodies[0].pose_W.position = Vector3(0.1, 0.2, 0.3);
+    input.world = &world;
+    input.world_events = {{WorldEvent::Kind::landed, 1, 1.0, 4.0}};
+    play.frame(input);
+    CHECK(play.session->hud().bursts.empty());
+    input.world_events = {{WorldEvent::Kind::caught, 0, 1.0, 3.0}};
+    const double caught_s = play.time_s;
+    play.frame(input);
+    REQUIRE(play.session->hud().bursts.size() == 1);
+    CHECK(play.session->hud().bursts[0].at_W == world.bodies[0].pose_W.position);
+    CHECK(play.session->hud().bursts[0].at_s == caught_s);
+    play.wait(0.9 * kBurstLasts_s);
+    CHECK(play.session->hud().bursts.size() == 1);
+    play.wait(0.2 * kBurstLasts_s);
+    CHECK(play.session->hud().bursts.empty());
+
+    play.ask();
+    CHECK(play.session->hud().mood == ViewMood::calm);
+    play.answer("apple is most heavy", false);
+    CHECK(play.session->hud().mood == ViewMood::thoughtful);
+    CHECK(play.session->hud().bursts.empty());
+    play.ask();
+    play.answer("apple is most heavy", true);
+    CHECK(play.session->hud().mood == ViewMood::happy);
+    CHECK(play.session->hud().bursts.size() == 1);
+}
+
 TEST_CASE("session: a body is touched from the first hand that comes until the last one leaves") {
     Play play;
     const auto told = [&](std::int32_t first, std::int32_t second) {
@@ -244,4 +276,26 @@ TEST_CASE("session: of whom the meaning alone is heard the form is not known") {
     CHECK(attempt.form_right == form);
     CHECK(attempt.target_right == form);
     CHECK(attempt.confidence == 0.9);
+}
+
+TEST_CASE("session: what was said stands beside the sentence that is told for it, where one is") {
+    Play play;
+    play.ask();
+    play.answer("apple is most heavy", false);
+    CHECK(play.session->hud().said == "apple is most heavy");
+    CHECK(play.session->hud().better.empty());
+    play.ask();
+    play.answer("apple is most heavy", true);
+    CHECK(play.session->hud().better == "*An* apple is *the heaviest*.");
+    CHECK(play.session->hud().feedback == "Yes. " + play.session->hud().told);
+    // The second time it is to be said once more: nothing is told yet.
+    play.say_rightly("apple is most heavy");
+    CHECK(play.session->hud().said == "apple is most heavy");
+    CHECK(play.session->hud().better.empty());
+    play.answer("apple is most heavy", true);
+    CHECK(play.session->hud().better == "*An* apple is *the heaviest*.");
+    play.ask();
+    play.answer("the apple is the heaviest", true);
+    CHECK(play.session->hud().said == "the apple is the heaviest");
+    CHECK(play.session->hud().better.empty());
 }

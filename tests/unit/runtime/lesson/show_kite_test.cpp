@@ -37,7 +37,9 @@ const dialogue::Catalogue& kite_words() {
     static const dialogue::Catalogue catalogue =
         dialogue::Catalogue::parse(
             "hud.force = {newtons} N\nhud.lift = lift {newtons} N\nhud.drag = drag {newtons} N\n"
-            "hud.gravity = weight {newtons} N\nhud.tension = tension {newtons} N\n")
+            "hud.gravity = weight {newtons} N\nhud.tension = tension {newtons} N\n"
+            "hud.pull = at your hand {newtons} N\n"
+            "hud.scaled_pull = at your hand {felt} N, on a real kite {true} N\n")
             .value();
     return catalogue;
 }
@@ -178,6 +180,32 @@ TEST_CASE("kite: its four forces are shown with their newtons where they act, wh
     CHECK(view.forces[2].text == "weight " + newtons_text(flown.report.weight_W.norm()) + " N");
     CHECK(view.forces[3].force_W == flown.report.tension_W);
     CHECK(view.forces[3].at_W == flown.report.knot_W);
+}
+
+TEST_CASE(
+    "kite: the pull is told as it was sent to the hand, and the line's true one where it differs") {
+    LessonDescription lesson = with_kite();
+    KiteFrame flown = fly(20.0);
+    flown.report.hand_force_W = {1.5, 2.0, 0.0};
+    SessionHud hud;
+    hud.kite.design = KiteSettings{};
+    const auto told = [&](const PlanOptions& options, double felt_N) {
+        Scenery scenery;
+        scenery.kite = &flown;
+        scenery.hand.applied_W.force = {0.0, felt_N, 0.0};
+        const Plan plan = compile_plan(lesson, options, nullptr).value();
+        return compose_view(lesson, plan, hud, scenery, kite_words()).force.text;
+    };
+    CHECK(told({}, 2.4) == "at your hand 2.4 N");
+    lesson.kite->share = 0.5;
+    CHECK(told({}, 1.2) == "at your hand 1.2 N, on a real kite 2.5 N");
+    // Where the place allows less, the line is felt in proportion; what is above the gate's limit is not felt.
+    lesson.kite->share = 1.0;
+    PlanOptions weak;
+    weak.device_force_limit_N = 2.5;
+    CHECK(told(weak, 1.26) == "at your hand 1.3 N, on a real kite 2.5 N");
+    flown.report.hand_force_W = {0.0, 21.0, 0.0};
+    CHECK(told({}, 4.5) == "at your hand 4.5 N, on a real kite 21.0 N");
 }
 
 TEST_CASE("kite: the wind is seen by what it carries along, and calm air carries nothing") {

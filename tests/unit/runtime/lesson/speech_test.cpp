@@ -111,6 +111,36 @@ TEST_CASE("speech: a reply can be read to its end below the next instruction") {
     }
 }
 
+TEST_CASE("speech: where nothing is to be done a reply stands on until something is") {
+    Speech speech = for_lesson(two_things());
+    speech.instruct("Which one is the heaviest?");
+    speech.reply("Yes.");
+    speech.instruct("");
+    speech.step(100.0);
+    CHECK(speech.last_reply() == "Yes.");
+    speech.instruct("Catch the egg!");
+    CHECK(speech.last_reply().empty());
+}
+
+TEST_CASE("speech: what stands there and is being read is not said once more") {
+    using Texts = std::vector<std::string>;
+    Speech speech = for_lesson(two_things());
+    speech.reply("It is an egg.");
+    speech.instruct("It is an egg.");
+    speech.instruct("It is an egg.");
+    CHECK(speech.take_spoken() == Texts{"It is an egg."});
+    speech.reply("It is an egg.");
+    CHECK(speech.take_spoken().empty());
+    speech.step(100.0);
+    // Nobody reads it any more.
+    speech.reply("It is an egg.");
+    CHECK(speech.take_spoken() == Texts{"It is an egg."});
+    speech.instruct("Catch it!");
+    speech.instruct("");
+    speech.instruct("Catch it!");
+    CHECK(speech.take_spoken() == Texts{"Catch it!"});
+}
+
 TEST_CASE("speech: a microphone is heard only where somebody speaks to a recogniser") {
     PlanOptions options;
     options.live = true;

@@ -1,9 +1,10 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/tool/tool_plan.h"
 #include "runtime/lesson/compose_view.h"
+#include "runtime/lesson/still_hand.h"
 #include "runtime/lesson/tool_extent.h"
 #include "runtime/scene/shape_models.h"
-#include "tests/unit/runtime/lesson/session_fixture.h"
+#include "tests/unit/runtime/lesson/shown_view.h"
 #include "tests/unit/runtime/rig.h"
 
 #include <numbers>
@@ -11,22 +12,6 @@
 using namespace fulcrum::runtime::test;
 
 namespace {
-
-struct Shown {
-    LessonDescription lesson = two_things();
-    Plan plan = compile_plan(lesson, {}, nullptr).value();
-    SessionHud hud{};
-    WorldSnapshot world{};
-    Scenery scenery{};
-
-    Shown() {
-        world.n_bodies = 2;
-        scenery.world = &world;
-    }
-    [[nodiscard]] runtime::View view() const {
-        return compose_view(lesson, plan, hud, scenery, words());
-    }
-};
 
 // A cylinder of 2 cm by 30 cm that lies along x in its principal axes' frame, and is held upright 10 cm below its middle.
 ToolPlan make_plan(bool in_voxels) {
@@ -125,29 +110,41 @@ TEST_CASE("view: without a force no arrow; a mouse squashes what it holds, and h
     CHECK(view.bodies[0].scale.y() < 1.0);
     CHECK(view.bodies[0].scale.prod() == Approx(1.0));  // flatter and wider: the same volume
     CHECK(view.ghost_visible);
+    shown.scenery.calm = true;
+    CHECK(shown.view().bodies[0].scale.y() == 1.0);
 }
 
-TEST_CASE(
-    "view: a cursor with a shape is drawn in it, turned as it is felt; its ghost as the hand is") {
+TEST_CASE("view: the program's own hand glides, or stands where it last rested for who is calm") {
+    StillHand still;
+    const auto at = [](double x) { return std::optional<Vector3>({x, 0.3, 0.0}); };
+    still.look(std::nullopt, 0.0);
+    CHECK_FALSE(still.seen_W());
+    still.look(at(0.0), 0.0);
+    CHECK(still.seen_W() == at(0.0));
+    // It goes 0.2 m in half a second: nothing is seen of that until it rests.
+    for (int i = 1; i <= 30; ++i) {
+        still.look(at(0.2 * i / 30.0), i / 60.0);
+        CHECK(still.seen_W() == at(0.0));
+    }
+    still.look(at(0.2), 31.0 / 60.0);
+    CHECK(still.seen_W() == at(0.2));
+    // One that never rests is seen each second.
+    int seen = 0;
+    for (int i = 1; i <= 300; ++i) {
+        const auto before = still.seen_W();
+        still.look(at(0.2 + 0.01 * i), (31 + i) / 60.0);
+        seen += before == still.seen_W() ? 0 : 1;
+    }
+    CHECK(seen >= 4);
+    CHECK(seen <= 5);
+    still.look(std::nullopt, 6.0);
+    CHECK_FALSE(still.seen_W());
+
     Shown shown;
-    shown.lesson.bucket.present = false;
-    shown.scenery.ghost = true;
-    const Quaternion turned(AngleAxis(0.4, Vector3::UnitX()));
-    shown.scenery.hand.proxy_position_W = {0.1, 0.2, 0.3};
-    shown.scenery.hand.proxy_orientation_W = turned;
-    const Quaternion hand(AngleAxis(0.5, Vector3::UnitX()));
-    shown.scenery.ghost_pose_W.orientation = hand;
-    CHECK(shown.view().tool.model == "cursor");
-    CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
-    shown.lesson.hand.cursor = CapsuleShape{0.01, 0.03};
-    const runtime::View view = shown.view();
-    CHECK(view.tool.model == kToolModel);
-    CHECK(view.tool.pose_W.position == Vector3(0.1, 0.2, 0.3));
-    CHECK(view.tool.pose_W.orientation.isApprox(turned));
-    CHECK(view.ghost_pose_W.orientation.isApprox(hand));
-    // A tool that is felt with torque turns.
-    shown.lesson.hand.tool.emplace();
-    CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
+    shown.hud.shown_hand_W = {0.1, 0.2, 0.3};
+    const Vector3 glides_W = shown.view().bodies.back().pose_W.position;
+    shown.scenery.still_hand_W = {0.4, 0.2, 0.3};
+    CHECK(shown.view().bodies.back().pose_W.position.isApprox(glides_W + Vector3(0.3, 0.0, 0.0)));
 }
 
 TEST_CASE("view: two hands have a colour each, a number each, and forces to one scale") {
@@ -197,6 +194,20 @@ TEST_CASE("view: without a world the visible bodies stand where the lesson put t
     CHECK(shown.view().bodies[0].pose_W.position == Vector3(1.0, 2.0, 3.0));
 }
 
+TEST_CASE("view: a burst is as old as it is since, ends, and who is calm sees none") {
+    Shown shown;
+    shown.hud.bursts = {{Vector3(0.1, 0.2, 0.3), 2.0}};
+    shown.scenery.time_s = 2.0 + 0.25 * kBurstLasts_s;
+    REQUIRE(shown.view().bursts.size() == 1);
+    CHECK(shown.view().bursts[0].at_W == Vector3(0.1, 0.2, 0.3));
+    CHECK(shown.view().bursts[0].age_s == Approx(0.25 * kBurstLasts_s));
+    shown.scenery.calm = true;
+    CHECK(shown.view().bursts.empty());
+    shown.scenery.calm = false;
+    shown.scenery.time_s = 2.0 + 1.01 * kBurstLasts_s;
+    CHECK(shown.view().bursts.empty());
+}
+
 TEST_CASE("view: score, level, caption and stars come from the session") {
     Shown shown;
     shown.hud = {"Catch!", "Yes!", true, 1.0, 7, 2, "Three things", 3};
@@ -208,6 +219,54 @@ TEST_CASE("view: score, level, caption and stars come from the session") {
     CHECK(view.level == 2);
     CHECK(view.level_title == "Three things");
     CHECK(view.stars == 3);
+}
+
+TEST_CASE("view: what was said stands above how it is better said, which stands there once") {
+    Shown shown;
+    shown.hud.feedback = "Yes. A melon is *the heaviest*. A short word gets -est.";
+    CHECK(shown.view().feedback == shown.hud.feedback);
+    shown.hud.said = "melon is *most* heavy";
+    CHECK(shown.view().feedback == "You said: melon is most heavy\n" + shown.hud.feedback);
+    shown.hud.better = "*A* melon is *the heaviest*.";
+    shown.hud.told = "A melon is *the heaviest*.";
+    CHECK(shown.view().feedback ==
+          "Yes. You said: melon is most heavy\nBetter: *A* melon is *the heaviest*.\n"
+          "A short word gets -est.");
+    // Another partner's words stand as they are.
+    shown.hud.feedback = "Well, well.";
+    CHECK(shown.view().feedback ==
+          "You said: melon is most heavy\nBetter: *A* melon is *the heaviest*.\nWell, well.");
+    shown.hud.feedback = shown.hud.told;
+    CHECK(shown.view().feedback ==
+          "You said: melon is most heavy\nBetter: *A* melon is *the heaviest*.");
+    shown.hud.better.clear();
+    shown.hud.feedback = "Say it again.";
+    shown.hud.said = std::string(59, 'a') + "é" + std::string(40, 'b');
+    CHECK(shown.view().feedback == "You said: " + std::string(59, 'a') + "…\nSay it again.");
+    shown.hud.feedback.clear();
+    CHECK(shown.view().feedback.empty());
+}
+
+TEST_CASE("view: what was felt of a thing that stands there ends beside it, with its name") {
+    Shown shown;
+    shown.hud.marked_N = {0.0, 2.5};
+    shown.world.bodies[0].where = shown.world.bodies[1].where = BodyWhere::placed;
+    const runtime::View view = shown.view();
+    REQUIRE(view.marks.size() == 1);
+    const runtime::ViewForce& mark = view.marks[0];
+    const BodyDescription& body = shown.lesson.bodies[1];
+    const Vector3 away = mark.at_W - view.bodies[1].pose_W.position;
+    CHECK(mark.force_W == Vector3(0.0, -2.5, 0.0));
+    CHECK(away.y() == Approx(-body.radius_m));
+    CHECK(away.dot(shown.lesson.camera.target_W - shown.lesson.camera.eye_W) ==
+          Approx(-body.radius_m * (shown.lesson.camera.target_W - shown.lesson.camera.eye_W).y()));
+    CHECK(away.x() > body.radius_m);
+    CHECK(mark.text == body.noun + ": 2.5 N");
+    CHECK(view.bodies[0].label == shown.lesson.bodies[0].noun);
+    CHECK(view.bodies[1].label.empty());
+    // What is elsewhere has none there.
+    shown.world.bodies[1].where = BodyWhere::held;
+    CHECK(shown.view().marks.empty());
 }
 
 TEST_CASE("view: a ball and a box are drawn as large as they are felt, other models as they are") {

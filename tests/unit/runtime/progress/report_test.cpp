@@ -1,6 +1,7 @@
 // The report's numbers, counted by hand.
 #include "runtime/progress/report.h"
 
+#include "runtime/progress/report_text.h"
 #include "tests/unit/runtime/progress/diary.h"
 #include "tests/unit/runtime/rig.h"
 
@@ -116,6 +117,55 @@ TEST_CASE("report: the simulated pupil stands in it only when asked for") {
     alone.session("gravity").answers("heaviest", "WWW");
     CHECK(compute_report(alone.data, {"Simulated Pupil", ""}).learners.size() == 1);
     CHECK(compute_report(alone.data).learners.empty());
+}
+
+TEST_CASE(
+    "report: guests stand behind the others as one, with what they played, unless asked for") {
+    const auto guest = [](char digit) { return "guest 2026-11-30 14:05 " + std::string(8, digit); };
+    Diary diary(guest('a'));
+    diary.session("gravity").end(1, 10).answers("heaviest", "WWW");
+    diary.learner("zoë").session("gravity").answers("heaviest", "R");
+    diary.learner(guest('b')).session("gravity").end(3, 5).answers("heaviest", "WWW");
+    diary.learner(guest('c'));  // played nothing
+    const Report folded = compute_report(diary.data);
+    REQUIRE(folded.learners.size() == 2);
+    CHECK(folded.learners[0].learner.nickname == "zoë");
+    CHECK(folded.learners[0].guests == 0);
+    CHECK(folded.learners[0].lessons[0].questions.size() == 1);
+    CHECK(folded.learners[1].learner.nickname == "Guests (2)");
+    CHECK(folded.learners[1].guests == 2);
+    REQUIRE(folded.learners[1].lessons.size() == 1);
+    const LessonReport& lesson = folded.learners[1].lessons[0];
+    CHECK(lesson.played == 2);
+    CHECK(lesson.finished == 2);
+    CHECK(lesson.best_stars == 3);
+    CHECK(lesson.best_score == 10);
+    CHECK(lesson.questions.empty());
+    const std::string text = to_text(folded, kUtc);
+    check_says(text, {"Nobody is stuck.", "\nGuests (2)\n", "--guests"});
+    check_lacks(text, {"no question answered", "14:05"});
+
+    const Report each =
+        compute_report(diary.data, {.nickname = {}, .lesson = {}, .each_guest = true});
+    REQUIRE(each.learners.size() == 4);
+    CHECK(each.learners[0].learner.nickname == guest('a'));
+    CHECK(each.learners[0].lessons[0].questions[0].stuck == Stuck::now);
+
+    Diary alone(guest('a'));
+    alone.session("gravity").answers("heaviest", "R");
+    const Report one = compute_report(alone.data, {.nickname = guest('a'), .lesson = {}});
+    REQUIRE(one.learners.size() == 1);
+    CHECK(one.learners[0].guests == 0);
+    CHECK(one.learners[0].lessons[0].questions.size() == 1);
+}
+
+TEST_CASE("report: guests who have not played a lesson are not counted for it") {
+    Diary diary("guest 2026-11-30 14:05 aaaaaaaa");
+    CHECK(compute_report(diary.data).learners.empty());
+    diary.session("kite").end(1, 1);
+    diary.learner("guest 2026-11-30 14:06 bbbbbbbb").session("kite");
+    CHECK(compute_report(diary.data).learners[0].guests == 2);
+    CHECK(compute_report(diary.data).learners[0].lessons[0].finished == 1);
 }
 
 TEST_CASE("report: a right meaning that was not understood is not right") {

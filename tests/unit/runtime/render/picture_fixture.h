@@ -32,9 +32,9 @@ struct Studio {
     std::unique_ptr<Offscreen> screen;
     std::unique_ptr<Renderer> renderer;
 
-    Image draw(const View& view) const {
+    Image draw(const View& view, const PictureQuality& quality = {}) const {
         screen->make_current();
-        renderer->draw(view, screen->width(), screen->height());
+        renderer->draw(view, screen->width(), screen->height(), quality);
         return screen->read_back();
     }
 };

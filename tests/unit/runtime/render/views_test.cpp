@@ -253,13 +253,26 @@ TEST_CASE("colour: sRGB decoding in closed form") {
 }
 
 TEST_CASE("theme: every pair of ink and paper can be read, also on a washed-out projector") {
-    for (const theme::InkOnPaper& words : theme::kWords) {
-        INFO(words.where);
-        CHECK(contrast_ratio(words.ink, words.paper) >= theme::kLeastContrast);
-        CHECK(contrast_ratio(words.ink, words.paper, kProjectorStrayLight) >=
-              theme::kLeastContrast);
-        CHECK(words.ink.a == 1.0F);
-        CHECK(words.paper.a == 1.0F);
+    // Success criteria 1.4.3 and 1.4.6 of WCAG 2.1.
+    CHECK(theme::kUsual.least_contrast == 4.5);
+    CHECK(theme::kHighContrast.least_contrast == 7.0);
+    for (const theme::Palette& palette : {theme::kUsual, theme::kHighContrast}) {
+        for (const theme::InkOnPaper& words : theme::list_words(palette)) {
+            INFO(words.where << ", " << palette.least_contrast);
+            CHECK(contrast_ratio(words.ink, words.paper) >= palette.least_contrast);
+            CHECK(contrast_ratio(words.ink, words.paper, kProjectorStrayLight) >=
+                  palette.least_contrast);
+            CHECK(words.ink.a == 1.0F);
+            CHECK(words.paper.a == 1.0F);
+        }
+    }
+    // High contrast has more of it, pair by pair.
+    const auto usual = theme::list_words(theme::kUsual);
+    const auto high = theme::list_words(theme::kHighContrast);
+    for (std::size_t i = 0; i < usual.size(); ++i) {
+        INFO(usual[i].where);
+        CHECK(contrast_ratio(high[i].ink, high[i].paper) >
+              contrast_ratio(usual[i].ink, usual[i].paper));
     }
 }
 

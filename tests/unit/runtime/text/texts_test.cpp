@@ -182,6 +182,9 @@ TEST_CASE("utf8: ill-formed bytes become one replacement each") {
 
 TEST_CASE("utf8: what draws nothing or turns text around is left out") {
     CHECK(decode_for_display(std::string("a\0b\x07\x1B[31m\x7F", 10)) == U"ab[31m");
+    // But joiners work in the scripts that have them, and in no other.
+    CHECK(decode_for_display("\u0628\u200C\u0628\u200D") == U"\u0628\u200C\u0628\u200D");
+    CHECK(decode_for_display("a\u200Cb\u200D") == U"ab");
     CHECK(decode_for_display("x\xE2\x80\xAEy\xE2\x80\x8Bz\xEF\xBB\xBF") == U"xyz");
 }
 

@@ -106,6 +106,23 @@ TEST_CASE("openal: what comes out follows the gain, and the pitch shortens a sou
           Approx(2.0).epsilon(0.02));
 }
 
+TEST_CASE("openal: what comes out follows the volume, whatever the master is") {
+    const auto heard = [](double master, double volume) {
+        auto player = open_loopback({{"right"}, false, master});
+        player->set_volume(volume);
+        REQUIRE(player->play("right"));
+        return rms(run(*player, 50));
+    };
+    const double loud = heard(1.0, 1.0);
+    constexpr double kSixteenBits = 0.01;  // of what is left of a quiet sound
+    CHECK(heard(1.0, 0.3) == Approx(0.3 * loud).epsilon(kSixteenBits));
+    CHECK(heard(0.5, 0.3) == Approx(0.15 * loud).epsilon(kSixteenBits));
+    CHECK(heard(1.0, 0.0) == 0.0);
+    CHECK(heard(1.0, 7.0) == Approx(loud));
+    CHECK(heard(1.0, -1.0) == 0.0);
+    CHECK(heard(1.0, std::nan("")) == Approx(loud));
+}
+
 TEST_CASE("openal: bad names and numbers are errors and make no sound") {
     auto player = open_loopback({{"click"}, true, 1.0});
     CHECK_FALSE(player->play("moo"));

@@ -191,6 +191,38 @@ TEST_CASE(
     CHECK(recalling.of(recalling.lesson.frame({ready})) == "1\tlever\tnear_far\t3\t2\t1\t0.5\t4;");
 }
 
+TEST_CASE(
+    "room: it knows which lessons are there and how well they went, and can be left for one") {
+    HostedLesson lesson;
+    REQUIRE(
+        lesson.load("function L:start(world) world:room() end\n"
+                    "function L:update(world)\n"
+                    "  local tool, known = world:tool(), world.lessons\n"
+                    "  if tool.pressed then return world:enter(known[2].name) end\n"
+                    "  print(#known, known[1].name, known[1].title, known[1].level, known[1].icon, "
+                    "known[1].stars, known[2].stars)\n"
+                    "end") == "");
+    CHECK(lesson.host->description().is_room);
+    ReadyEvent ready;
+    ready.lessons = {{"gravity", "Which?", "A1", "apple", 2}, {"own", "Mine", "", "", -1}};
+    CHECK(lesson.play(lesson.frame({ready})) == "");
+    CHECK(lesson.prints == "2\tgravity\tWhich?\tA1\tapple\t2\t-1;");
+    HostedLesson wrong;
+    REQUIRE(wrong.load("function L:start(world) world:room() end\n"
+                       "function L:update(world) world:enter 'gravitty' end") == "");
+    CHECK(wrong.play(wrong.frame({ready})) ==
+          "lesson.lua:3: there is no lesson \"gravitty\" to enter; world.lessons has those that "
+          "are here.");
+    LessonFrame pressed = lesson.frame();
+    pressed.buttons = 2;  // the second one
+    CHECK(lesson.play(pressed) == "");
+    CHECK(lesson.reply.commands.size() == 1);  // its print
+    pressed.buttons = 3;
+    CHECK(lesson.play(pressed) == "");
+    REQUIRE(lesson.reply.commands.size() == 1);
+    CHECK(std::get<EnterCommand>(lesson.reply.commands[0]).lesson == "own");
+}
+
 TEST_CASE("declarations: a lesson is told how many hands are there, and where each is") {
     HostedLesson lesson;
     lesson.says = ", hands = 2";

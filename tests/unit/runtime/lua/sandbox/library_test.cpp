@@ -131,6 +131,38 @@ function L:key(name) self.done = name == "down" end)");
     CHECK(player.prints == "false;true;");
 }
 
+TEST_CASE(
+    "story: who let the help go by is helped after half the time, then a quarter, until something "
+    "is done") {
+    Player player;
+    player.start(std::string(kStory) + R"(
+    local function take() local done = self.done self.done = false return done end
+    for i = 1, 6 do print(story.wait_with_help(world, take, { hint = "Press here." })) end
+  end)
+end
+function L:key(name) self.done = name == "down" end)");
+    constexpr double kStep_s = 0.25;
+    // Nothing is done three times, then something, and then nothing again.
+    for (const double whole_s : {60.0, 30.0, 15.0, 15.0}) {
+        player.prints.clear();
+        double now_s = 0.0;
+        for (; now_s < 70.0 && player.prints.empty(); now_s += kStep_s) {
+            player.step({}, kStep_s);
+        }
+        CHECK(player.prints == "false;");
+        CHECK(now_s == Approx(whole_s).margin(2.0 * kStep_s));
+    }
+    player.prints.clear();
+    player.step({KeyEvent{"down"}}, kStep_s);
+    player.step({}, kStep_s);
+    REQUIRE(player.prints == "true;");
+    double now_s = 0.0;
+    for (; now_s < 70.0 && player.prints == "true;"; now_s += kStep_s) {
+        player.step({}, kStep_s);
+    }
+    CHECK(now_s == Approx(60.0).margin(2.0 * kStep_s));
+}
+
 TEST_CASE("story: waiting for what can't come is a mistake") {
     Player player;
     player.start(

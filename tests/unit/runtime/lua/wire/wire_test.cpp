@@ -172,6 +172,13 @@ TEST_CASE("wire: numbers, indices and names of a reply are checked") {
     CHECK_FALSE(take(ShowHandCommand{Vector3(1.0, 2.0e9, 3.0)}));
     CHECK_FALSE(take(CoverCommand{4, true}));
     CHECK_FALSE(take(CoverCommand{-1, true}));
+    CHECK(take(MarkCommand{1, kMostMark_N}));
+    CHECK_FALSE(take(MarkCommand{4, 1.0}));
+    CHECK_FALSE(take(MarkCommand{1, -1.0}));
+    CHECK_FALSE(take(MarkCommand{1, 2.0 * kMostMark_N}));
+    CHECK(take(LightCommand{1, BodyLight::lit}));
+    CHECK_FALSE(take(LightCommand{4, BodyLight::lit}));
+    CHECK_FALSE(take(LightCommand{1, static_cast<BodyLight>(3)}));
     CHECK_FALSE(take(SoundCommand{"../pop"}));
     CHECK_FALSE(take(CaptionCommand{std::string(kMaxTextBytes + 1, 'x')}));
     CHECK_FALSE(take(CaptionCommand{"\xFF"}));

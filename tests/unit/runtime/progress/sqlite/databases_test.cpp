@@ -190,7 +190,7 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
         CHECK(results.attempts.empty());
         CHECK(results.hands.empty());
     }
-    CHECK(query(path, "PRAGMA user_version") == "7");
+    CHECK(query(path, "PRAGMA user_version") == "8");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
 }
 
@@ -253,8 +253,8 @@ TEST_CASE("opening: a newer database is refused and untouched") {
     const TemporaryFolder folder;
     const std::string path = folder.file("progress.db");
     { const Classroom room(path); }
-    REQUIRE(run_sql(path, "PRAGMA user_version = 8").empty());
-    check_says(refused_untouched(path), {"version 8", "update Fulcrum"});
+    REQUIRE(run_sql(path, "PRAGMA user_version = 9").empty());
+    check_says(refused_untouched(path), {"version 9", "update Fulcrum"});
     CHECK(folder.entries() == 1);
 }
 
@@ -263,13 +263,16 @@ TEST_CASE("opening: a database without a column of its version is refused, not f
     const std::string path = folder.file("progress.db");
     { const Classroom room(path); }
     REQUIRE(run_sql(path, "ALTER TABLE attempt_error DROP COLUMN point").empty());
-    check_says(refused_untouched(path), {"of version 7, but has no attempt_error.point"});
+    check_says(refused_untouched(path), {"of version 8, but has no attempt_error.point"});
     // Of an older version that column is not asked for.
     REQUIRE(run_sql(path, "ALTER TABLE attempt_error DROP COLUMN target").empty());
     for (const char* column : {"target_right", "confidence", "feedback", "uptake", "form_known"}) {
         REQUIRE(run_sql(path, std::string("ALTER TABLE attempt DROP COLUMN ") + column).empty());
     }
-    REQUIRE(run_sql(path, "DROP TABLE hand_setting; PRAGMA user_version = 2").empty());
+    REQUIRE(run_sql(path,
+                    "DROP TABLE class_card; DROP TABLE class_setting; DROP TABLE class; "
+                    "DROP TABLE hand_setting; PRAGMA user_version = 2")
+                .empty());
     CHECK(refusal(path).empty());
 }
 
@@ -280,14 +283,14 @@ TEST_CASE("opening: a newer version that stands only in the log is seen, and the
     const std::string crashed = folder.file("crashed.db");
     {
         sqlite::Database newer(path, SQLITE_OPEN_READWRITE, "");
-        newer.run("PRAGMA user_version = 8");
+        newer.run("PRAGMA user_version = 9");
         write_bytes(crashed, bytes_of(path));
         write_bytes(crashed + "-wal", bytes_of(path + "-wal"));
     }
     const std::string before = bytes_of(crashed);
     const std::string log = bytes_of(crashed + "-wal");
     REQUIRE_FALSE(log.empty());
-    check_says(refusal(crashed), {"version 8"});
+    check_says(refusal(crashed), {"version 9"});
     CHECK(bytes_of(crashed) == before);
     CHECK(bytes_of(crashed + "-wal") == log);
 }

@@ -1,4 +1,5 @@
 #include "runtime/render/overlay/buttons.h"
+#include "runtime/render/overlay/draw_panels.h"
 #include "runtime/render/overlay/measure.h"
 #include "runtime/render/overlay/microphone.h"
 #include "runtime/render/overlay/overlay_pass.h"
@@ -64,8 +65,12 @@ TEST_CASE(
 
 TEST_CASE("buttons: each has a sign of its own, and a pause shows how to go on") {
     std::vector<std::vector<OverlayCorner>> signs;
+    constexpr ScreenButton buttons[] = {ScreenButton::ask, ScreenButton::why,
+                                        ScreenButton::say_again, ScreenButton::settings,
+                                        ScreenButton::pause};
+    constexpr std::size_t n_buttons = std::size(buttons);
     for (const bool paused : {false, true}) {
-        for (const ScreenButton button : busy().buttons) {
+        for (const ScreenButton button : buttons) {
             View view;
             view.buttons = {button};
             view.paused = paused;
@@ -80,58 +85,28 @@ TEST_CASE("buttons: each has a sign of its own, and a pause shows how to go on")
             return a.x == b.x && a.y == b.y;
         });
     };
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < n_buttons; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             CHECK_FALSE(is_same(i, j));
         }
-        CHECK(is_same(i, i + 4) == (i != 3));  // the last one is the pause's
+        CHECK(is_same(i, i + n_buttons) == (i != n_buttons - 1));  // the last one is the pause's
     }
 }
 
-TEST_CASE("panels: choices stand without a line to type in, at the end of a lesson") {
-    View view = busy();
-    view.input_visible = false;
-    view.choices = {{"Play again", {}}, {"Back to the lessons", {}}};
-    const PanelLayout layout = laid_out(view);
-    REQUIRE(layout.choices.size() == 2);
-    CHECK(layout.input.box.width == 0.0F);
-    check_apart(layout.shown(), kMeasure);
-}
-
-TEST_CASE("panels: choices stand above the typed line, apart, each with room for its picture") {
-    Font font = andika();
+TEST_CASE("panels: below the stars stands why, in their paper and beside all else") {
     View view = busy();
     view.banner.clear();
-    view.input.clear();
-    view.caption = "Which one is the heaviest?";
-    view.feedback = "Not yet. Lift both again.";
-    for (const char* said : {"The watermelon is the heaviest.", "The apple is the heaviest.",
-                             "The egg is the heaviest.", "The banana is the heaviest."}) {
-        view.choices.push_back({said, "apple"});
-    }
-    for (const int width : {1280, 800, 1920}) {
-        const Measure measure(width, width * 9 / 16);
-        const PanelLayout layout = lay_out_panels(view, font, measure);
-        REQUIRE(layout.choices.size() == 4);
-        float below = layout.input.box.y;
-        for (std::size_t i = 4; i-- > 0;) {
-            const Panel& choice = layout.choices[i];
-            CHECK(inside(choice.box, measure));
-            CHECK(choice.box.bottom() <= below);
-            below = choice.box.y;
-            const Box picture = choice_picture(choice, measure);
-            CHECK(picture.x >= choice.box.x);
-            CHECK(picture.right() < choice.box.x + 0.25F * choice.box.width);
-            CHECK(picture.bottom() <= choice.box.bottom() + 0.01F);
-        }
-        CHECK(layout.caption.box.bottom() <= below);
-        for (const Panel* other :
-             {&layout.caption, &layout.feedback, &layout.level, &layout.score}) {
-            for (const Panel& choice : layout.choices) {
-                CHECK_FALSE(overlap(choice.box, other->box));
-            }
-        }
-    }
+    view.input_visible = false;
+    view.stars = 2;
+    view.choices = {{"Play again", {}}, {"Next: What is it made of?", {}}, {"Back", {}}};
+    const Panel bare = laid_out(view).stars;
+    view.end_note = "You answered 4 of 5 questions at the first try.";
+    const PanelLayout layout = laid_out(view);
+    CHECK(bare.words.lines.empty());
+    CHECK(layout.stars.words.lines.size() == 1);
+    CHECK(layout.stars.box.height >= bare.box.height + layout.stars.words.height_px);
+    CHECK(layout.stars.box.width >= layout.stars.words.width_px);
+    check_apart(layout.shown(), kMeasure);
 }
 
 TEST_CASE("panels: a hint is read from its first letter to its last, however short the line") {
@@ -139,7 +114,7 @@ TEST_CASE("panels: a hint is read from its first letter to its last, however sho
     View view;
     view.input_visible = true;
     view.microphone.visible = true;
-    view.microphone.words = "Choose with the up and down arrows. Then press Enter.";
+    view.microphone.words = "Choose with the arrow keys. Then press Enter.";
     for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {800, 600}}) {
         const PanelLayout layout = lay_out_panels(view, font, Measure(width, height));
         const auto& letters = layout.input.words.lines.front().letters;

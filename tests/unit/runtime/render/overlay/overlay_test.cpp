@@ -177,6 +177,13 @@ TEST_CASE("labels: each stands beside its own thing and hides nothing") {
         const auto alone = place_labels({in_a_row[1]}, {}, font, measure);
         REQUIRE(alone.size() == 1);
         CHECK(alone[0].box.x >= 740.0F);
+        // Where the hand is there, on its other side; the hand in front of the thing itself moves nothing.
+        const Box hand{745, 300, 90, 120};
+        const auto aside = place_labels({in_a_row[1]}, {}, font, measure, hand);
+        REQUIRE(aside.size() == 1);
+        CHECK_FALSE(overlap(aside[0].box, hand));
+        const auto before = place_labels({in_a_row[1]}, {}, font, measure, {600, 320, 80, 80});
+        CHECK(before[0].box.x == alone[0].box.x);
         // Without such room a label still stands somewhere.
         std::vector<SceneLabel> crowd;
         for (int i = 0; i < 12; ++i) {

@@ -43,13 +43,11 @@ TEST_CASE("content: what is drawn of bodies, and marks and labels where they are
     runtime::View view = without_tool();
     SECTION("a body that cannot be drawn is left out, the others stay") {
         view.bodies = {body_at(0.0, 0.5, 0.0), body_at(kNan, 0.5, 0.0), body_at(0.2, 0.5, 0.0)};
-        view.bodies[2].highlight = kNan;
         view.bodies[1].label = "lost";
         const SceneContent content = read(view);
         REQUIRE(content.items.size() == 2);
         CHECK(content.marks.size() == 2);
         CHECK(content.labels.empty());
-        CHECK(content.items[1].highlight == 0.0F);
     }
     SECTION("the mark lies straight below, with the height above the floor") {
         view.ground_height_m = 0.2;

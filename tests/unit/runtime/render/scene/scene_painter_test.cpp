@@ -57,16 +57,16 @@ TEST_CASE("picture: what there is is seen, where and as it is") {
         CHECK(pixel_at(round, view, top)[0] > 2 * pixel_at(round, view, top)[1]);
         CHECK(pixel_at(flat, view, top)[0] < 2 * pixel_at(flat, view, top)[1]);
     }
-    SECTION("a highlight draws a line around a body") {
+    SECTION("a line goes round a body that is offered; what is lit shines farther") {
         view.bodies = {body("green", {0.0, 0.45, 0.0})};
         const Image plain = studio->draw(view);
-        view.bodies[0].highlight = 1.0;
+        view.bodies[0].light = fulcrum::runtime::BodyLight::offered;
         const Image outlined = studio->draw(view);
         CHECK(changed(plain, outlined) > 150);
+        view.bodies[0].light = fulcrum::runtime::BodyLight::lit;
+        CHECK(changed(plain, studio->draw(view)) > 2 * changed(plain, outlined));
         CHECK(pixel_at(plain, view, {0.0, 0.45, 0.1}) ==
               pixel_at(outlined, view, {0.0, 0.45, 0.1}));
-        view.bodies[0].highlight = kNan;
-        CHECK(studio->draw(view).rgba == plain.rgba);
     }
     SECTION("in space it is dark all around, with neither floor nor shadow") {
         view.in_space = true;
