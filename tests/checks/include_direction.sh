@@ -15,7 +15,7 @@ BEGIN {
     # Top to bottom. A folder that is not named here is no room yet: give it its place.
     order("haptics", "link loop tool point surface device flight dynamics constraint levels continuous collision record field voxel geometry coupling handover math base")
     order("dialogue", "partner conversation checking marking speech template english")
-    order("runtime", "app lesson lua hearing render audio link progress evidence effect scene files text")
+    order("runtime", "app lesson lua hearing render audio arms link progress evidence effect scene files text")
     # Inside a room that has rooms of its own.
     order("runtime/lua", "process host api sandbox wire")
 }
