@@ -9,6 +9,7 @@
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/link_words.h"
+#include "runtime/app/own_arm.h"
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"
 
@@ -47,6 +48,17 @@ bool mouse_is_free(const RunRequest& request) {
     return request.hands_there == HandsThere::desk && request.hand != HandKind::mouse &&
            std::ranges::find(request.more_hands, HandKind::mouse, &HandChoice::hand) ==
                request.more_hands.end();
+}
+
+// This program again, as the arm's side.
+Expected<std::unique_ptr<OwnArm>> start_own_arm(const HandChoice& choice) {
+    std::error_code error;
+    std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe", error).string(),
+                                   "arm", "--attached", "--arm", std::string(choice.own_arm->arm)};
+    if (!choice.key_file.empty()) {
+        words.insert(words.end(), {"--key", choice.key_file});
+    }
+    return OwnArm::start(std::move(words), std::string(choice.own_arm->name));
 }
 
 // There and back, as it usually takes: the median of what comes within kMeasured_s of the first that does. Commands of no force are asked for
@@ -99,7 +111,7 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
         !is_tried(request.fit, kAsked, hand->device_->traits().name)) {
         hand->fitted_->give_part(kUntriedPart);
     }
-    if (hand->hid_ == nullptr || !mouse_is_free(request)) {
+    if (hand->points() || !mouse_is_free(request)) {
         return hand;
     }
     return hand->make_pointer(request.yield).map([&](std::unique_ptr<PointerDevice>&& pointer) {
@@ -213,7 +225,15 @@ void HandDevice::keep_limits(const SafetySettings& run) {
 
 // The arm must say what it is before anything is built for it.
 Expected<void> HandDevice::link(const HandChoice& request) {
-    const auto address = parse_host_port(request.hand_address);
+    if (request.own_arm != nullptr) {
+        auto started = start_own_arm(request);
+        if (!started) {
+            return tl::unexpected(started.error());
+        }
+        own_arm_ = std::move(*started);
+    }
+    const std::string where = own_arm_ != nullptr ? own_arm_->address() : request.hand_address;
+    const auto address = parse_host_port(where);
     if (!address) {
         return tl::unexpected(address.error());
     }
@@ -240,7 +260,7 @@ Expected<void> HandDevice::link(const HandChoice& request) {
     while (!device->greet(monotonic_now_s() - began_s)) {
         if (monotonic_now_s() - began_s > kGreeting_s || interrupted()) {
             return tl::unexpected(explain_silence(device->status(), line_->socket->was_refused(),
-                                                  request.hand_address, file->string()));
+                                                  where, file->string()));
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -312,10 +332,12 @@ std::optional<Vector3> HandDevice::true_velocity_W() const {
 }
 
 std::string HandDevice::take_notice() {
-    std::string notice = hid_ != nullptr ? hid_->take_notice() : std::string();
+    std::string notice = hid_ != nullptr       ? hid_->take_notice()
+                         : own_arm_ != nullptr ? own_arm_->take_notice()
+                                               : std::string();
     if (stands_in() != std::exchange(told_stand_in_, stands_in())) {
         notice += (notice.empty() ? "" : " ") +
-                  std::string(stands_in() ? "The mouse moves the hand until it is plugged in again."
+                  std::string(stands_in() ? "The mouse moves the hand until it is there again."
                                           : "It moves the hand again; its force comes softly.");
     }
     if (linked_ != nullptr) {

@@ -23,6 +23,7 @@
 namespace fulcrum::runtime {
 
 struct ArmLine;  // hand_device.cpp: socket, seal, numbers
+class OwnArm;
 
 class HandDevice {
   public:
@@ -115,7 +116,8 @@ class HandDevice {
     std::optional<Vector3> thing_D_{};  // that is seen nearest
     LatestValue<PointerTarget> pointer_target_;
     Pose pointer_W_;
-    std::unique_ptr<ArmLine> line_;  // what a link needs; outlives the device
+    std::unique_ptr<OwnArm> own_arm_;  // at the other end of the link; outlives the device
+    std::unique_ptr<ArmLine> line_;    // what a link needs; outlives the device
     std::unique_ptr<Device> device_;
     const SimulatedHand* simulated_ = nullptr;  // the device, where it is one
     hid::HidHand* hid_ = nullptr;               // likewise, as are the next
@@ -124,7 +126,7 @@ class HandDevice {
     FittedDevice* fitted_ = nullptr;    // around an arm or a HID device
     AxisOrder axes_{};                  // as it is set there
     StandInDevice* stand_in_ =
-        nullptr;  // around a HID device, where the mouse has nothing else to move
+        nullptr;  // around an arm or a HID device, where the mouse has nothing else to move
     bool told_stand_in_ = false;
     bool told_too_long_ = false;
     bool told_slower_ = false;

@@ -17,7 +17,7 @@ constexpr const char* kNotGood = "not good";
 std::string name_device(const RunRequest& request) {
     switch (request.hand) {
         case HandKind::link:
-            return "udp:" + request.hand_address;
+            return name_of(request);
         case HandKind::hid: {
             std::array<char, 16> ids{};
             std::snprintf(ids.data(), ids.size(), "%04x:%04x", request.hid.node.vendor,

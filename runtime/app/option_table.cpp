@@ -232,8 +232,9 @@ std::span<const OptionRow> option_rows() {
         {"--headless", "", of(run, explain), put<&Options::headless>,
          "without a window, faster than real time, repeatable to the byte; tells what is said"},
         {"--real-time", "", of(run), put<&Options::real_time>, "with --headless: as fast as it is"},
-        {"--hand", "FILE.lua|mouse|keys|hid|hid:PATH|udp:HOST:PORT|replay:FILE|none", of(run, test, explain), add_hand,
-         R"(what moves the hand, once a hand (by what is there). udp: an arm on another computer, or fulcrum arm on this one. replay: a run
+        {"--hand", "FILE.lua|mouse|keys|hid|hid:PATH|simulated|udp:HOST:PORT|wam:HOST|replay:FILE|none", of(run, test, explain), add_hand,
+         R"(what moves the hand, once a hand (by what is there). simulated: an arm that the run starts in a process of its own. udp, wam: an arm on
+         another computer, or fulcrum arm on this one; wam waits at port 4701. replay: a run
          that --record wrote, with its keys, answers and seed; --headless says whether every force is the same to the bit, and if not, where
          first and why. A test takes a FILE.lua)"},
         {"--key", "FILE", of(run, arm), set_key, "what an arm on the network shares with the program; behind a second --hand that arm's"},
@@ -322,6 +323,7 @@ std::span<const OptionRow> option_rows() {
         {"--address", "A", of(arm), put<kArm, &ArmOptions::address>, "likewise (127.0.0.1)"},
         {"--rate", "N", of(arm), put<kArm, &ArmOptions::rate_Hz>, "rounds a second (1000)", 500.0, 2000.0},
         {"--arm", "wam|desktop", of(arm), put<kArm, &ArmOptions::kind>, "Barrett's WAM of seven joints, or three axes on a desk (wam)"},
+        {"--attached", "", of(arm), put<kArm, &ArmOptions::is_attached>, "for programs: ends when its input does; says in lines where it waits and what happens"},
         {"--motion", "still|circle", of(arm), put<kArm, &ArmOptions::motion>, "what the hand does that holds it (still)"},
         {"--loss", "P", of(arm), put<kArm, kFaults, &LinkFaults::loss>, "per cent of the packets that are lost (0)", 0.0, 100.0},
         {"--burst", "N", of(arm), put<kArm, kFaults, &LinkFaults::burst>, "so many in a row (1)", 1.0, 1000.0},

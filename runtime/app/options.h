@@ -4,6 +4,7 @@
 #include "dialogue/marking/feedback_ladder.h"
 #include "haptics/base/error.h"
 #include "haptics/link/link_faults.h"
+#include "runtime/app/arm_kind.h"
 #include "runtime/app/played_by.h"
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/lesson/hand_fit.h"
@@ -43,9 +44,6 @@ enum class FirstUseTrial : std::uint8_t { once, again, never };
 /// What the hand does that holds a simulated arm.
 enum class ArmMotion : std::uint8_t { still, circle };
 
-/// Which arm is simulated: Barrett's WAM of seven joints, or three axes on a desk.
-enum class ArmKind : std::uint8_t { wam, desktop };
-
 /// Of `fulcrum arm`.
 struct ArmOptions {
     std::string address = "127.0.0.1";
@@ -54,6 +52,8 @@ struct ArmOptions {
     double rate_Hz = 1000.0;
     ArmKind kind = ArmKind::wam;
     ArmMotion motion = ArmMotion::still;
+    bool is_attached =
+        false;  ///< to a program: it ends with its input, and speaks as own_arm.h says
     LinkFaults faults{};
 };
 

@@ -1,0 +1,36 @@
+#include "runtime/app/served_arm.h"
+
+#include "haptics/device/arm/simulated_wam.h"
+#include "haptics/device/simulated/simulated_arm.h"
+
+namespace fulcrum::runtime {
+
+Expected<ServedArm> open_served_arm(const ArmOptions& options, LatestValue<HandTarget>& target) {
+    ServedArm served;
+    served.settings.rate_Hz = options.rate_Hz;
+    // Its sensors do not tremble; and the WAM's friction may take up any push that a lesson gives.
+    served.settings.sensor.most_m_per_s2 = 300.0;
+    switch (options.kind) {
+        case ArmKind::wam: {
+            auto wam = SimulatedWam::create({}, target);
+            if (!wam) {
+                return tl::unexpected(wam.error());
+            }
+            served.device = std::move(*wam);
+            break;
+        }
+        case ArmKind::desktop: {
+            SimulatedArmSettings settings = make_desktop_arm();
+            settings.max_force_N = kHardForceCap_N;
+            settings.human = kArm;
+            served.device = std::make_unique<SimulatedArm>(settings, target);
+            served.settings.sensor.moves_at_N = 1.5;
+            // 160 by 120 by 70 mm: the workspace of the same data sheet as make_desktop_arm's.
+            served.settings.reach_m = {0.08, 0.06, 0.035};
+            break;
+        }
+    }
+    return served;
+}
+
+}  // namespace fulcrum::runtime
