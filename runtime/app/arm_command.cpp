@@ -1,4 +1,4 @@
-// fulcrum arm: the arm's side of the link with an arm that is simulated, for trying and testing; fulcrum stop.
+// fulcrum arm: the arm's side of the link, with a real arm or with a simulated one for trying and testing; fulcrum stop.
 #include "haptics/base/clock.h"
 #include "haptics/link/arm_server.h"
 #include "haptics/link/link_faults.h"
@@ -113,13 +113,22 @@ bool input_ends() {
     return ::poll(&input, 1, 0) > 0 && ::read(STDIN_FILENO, letters, sizeof letters) <= 0;
 }
 
-// The same for a program: it is told that this still lives.
-void attend_attached(LatestValue<HandTarget>& target, const Options& options, double epoch_s) {
+// What has happened to a real arm.
+std::string take_notice(const ServedArm& arm) {
+    return arm.port != nullptr ? arm.port->take_notice() : std::string();
+}
+
+// The same for a program: it is told what happens, and that this still lives.
+void attend_attached(const ServedArm& arm, LatestValue<HandTarget>& target, const Options& options,
+                     double epoch_s) {
     constexpr auto kPause = std::chrono::milliseconds(10);
     double told_s = 0.0;
     while (!interrupted() && !input_ends()) {
         const double now_s = monotonic_now_s() - epoch_s;
         target.publish(hand_at(now_s, options.arm));
+        if (const std::string notice = take_notice(arm); !notice.empty()) {
+            say_line(kArmTold, notice);
+        }
         if (now_s - told_s >= kArmBeat_s && can_print()) {
             told_s = now_s;
             say_line(kArmBeat, {});
@@ -129,8 +138,8 @@ void attend_attached(LatestValue<HandTarget>& target, const Options& options, do
 }
 
 // Until somebody ends it: the hand moves, keys are heard, a line a second says how it goes.
-void attend(ArmServer& server, LatestValue<HandTarget>& target, const Options& options,
-            double epoch_s) {
+void attend(ArmServer& server, const ServedArm& arm, LatestValue<HandTarget>& target,
+            const Options& options, double epoch_s) {
     constexpr auto kPause = std::chrono::milliseconds(10);
     constexpr double kTell_s = 1.0;
     double told_s = 0.0;
@@ -142,6 +151,9 @@ void attend(ArmServer& server, LatestValue<HandTarget>& target, const Options& o
             server.stop();
         } else if (!line.empty()) {
             server.rearm();
+        }
+        if (const std::string notice = take_notice(arm); !notice.empty()) {
+            std::printf("%s\n", notice.c_str());
         }
         if (now_s - told_s >= kTell_s && can_print()) {
             told_s = now_s;
@@ -195,15 +207,16 @@ int arm_command(const Options& options) {
     }
     if (options.arm.is_attached) {
         say_line(kArmAt, std::to_string((*socket)->port()));
-        attend_attached(target, options, pace.epoch_s);
+        attend_attached(*arm, target, options, pace.epoch_s);
     } else {
         std::printf(
-            "A simulated arm waits at %s:%u. Play with it: ./fulcrum run gravity --hand "
+            "%s waits at %s:%u. Play with it: ./fulcrum run gravity --hand "
             "udp:%s:%u\nEnter lifts a stop, s and Enter presses it, Ctrl-C ends.\n",
+            arm->port != nullptr ? arm->device->traits().name.c_str() : "A simulated arm",
             options.arm.address.c_str(), (*socket)->port(), options.arm.address.c_str(),
             (*socket)->port());
         (void)std::fflush(stdout);
-        attend(server, target, options, pace.epoch_s);
+        attend(server, *arm, target, options, pace.epoch_s);
     }
     thread.stop();
     set_stop_target(nullptr);

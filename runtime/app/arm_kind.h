@@ -7,18 +7,18 @@
 
 namespace fulcrum::runtime {
 
-/// In the order of --arm's words. Simulated: Barrett's WAM of seven joints, and three axes on a desk.
-enum class ArmKind : std::uint8_t { wam, desktop };
+/// In the order of --arm's words. Simulated: Barrett's WAM of seven joints, and three axes on a desk. Real: runtime/arms.
+enum class ArmKind : std::uint8_t { wam, desktop, fd };
 
 /// An arm at this computer that a run starts by itself (own_arm.h).
 struct OwnArmKind {
     std::string_view word;  ///< of --hand
-    ArmKind kind;
     std::string_view arm;   ///< its word of --arm
     std::string_view name;  ///< for people, at a sentence's begin
 };
 inline constexpr std::array kOwnArms{
-    OwnArmKind{"simulated", ArmKind::desktop, "desktop", "The simulated arm"},
+    OwnArmKind{"simulated", "desktop", "The simulated arm"},
+    OwnArmKind{"fd", "fd", "Force Dimension's arm"},
 };
 
 }  // namespace fulcrum::runtime

@@ -96,7 +96,7 @@ Expected<HandChoice> read_hand(const std::string& word, bool in_window,
     } else {
         return fail(
             "there is no hand \"" + word + "\"", "",
-            "give --hand mouse, hid, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, a Lua "
+            "give --hand mouse, hid, fd, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, a Lua "
             "file's name, or for a second hand keys or none");
     }
     return choice;

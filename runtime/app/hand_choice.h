@@ -42,6 +42,7 @@ struct HandChoice {
     std::string key_file;      ///< link: empty for the default place
     /// Link: an arm at this computer, which the run starts; then the address is found. Null: another's.
     const OwnArmKind* own_arm = nullptr;
+    std::vector<std::string> arm_words;  ///< what its process is told besides
     /// Scripted: the hand holds an arm at the other end of a link, on which things break by this seed.
     std::optional<std::uint64_t> spoil_seed;
     SpoiledModel spoil_model = SpoiledModel::desktop;  ///< which arm that is
@@ -55,7 +56,7 @@ enum class HandsThere : std::uint8_t {
     nobody,
 };
 
-/// Reads a word of --hand: FILE.lua, mouse, keys, hid, hid:PATH, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, none. Refuses what is not there.
+/// Reads a word of --hand: FILE.lua, mouse, keys, hid, hid:PATH, fd, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, none. Refuses what is not there.
 [[nodiscard]] Expected<HandChoice> read_hand(const std::string& word, bool in_window,
                                              const std::string& key_file);
 

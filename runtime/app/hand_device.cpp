@@ -58,6 +58,7 @@ Expected<std::unique_ptr<OwnArm>> start_own_arm(const HandChoice& choice) {
     if (!choice.key_file.empty()) {
         words.insert(words.end(), {"--key", choice.key_file});
     }
+    words.insert(words.end(), choice.arm_words.begin(), choice.arm_words.end());
     return OwnArm::start(std::move(words), std::string(choice.own_arm->name));
 }
 

@@ -44,7 +44,7 @@ enum class FirstUseTrial : std::uint8_t { once, again, never };
 /// What the hand does that holds a simulated arm.
 enum class ArmMotion : std::uint8_t { still, circle };
 
-/// Of `fulcrum arm`.
+/// Of `fulcrum arm`, and of the arm that a run starts.
 struct ArmOptions {
     std::string address = "127.0.0.1";
     std::uint16_t port = 4701;
@@ -55,6 +55,8 @@ struct ArmOptions {
     bool is_attached =
         false;  ///< to a program: it ends with its input, and speaks as own_arm.h says
     LinkFaults faults{};
+    std::string library;          ///< of a real arm's maker: where it lies; empty: its usual places
+    bool may_initialise = false;  ///< somebody has said that the arm may move by itself once
 };
 
 /// Everything the command line can say: option_table.h says what each option means and may be. Fields that a command does not use are

@@ -2,8 +2,37 @@
 
 #include "haptics/device/arm/simulated_wam.h"
 #include "haptics/device/simulated/simulated_arm.h"
+#include "runtime/arms/arm_device.h"
+#include "runtime/arms/dhd/dhd_port.h"
 
 namespace fulcrum::runtime {
+
+namespace {
+
+// What it tells of itself; what it does not tell stays as it is set.
+Expected<ServedArm> serve(Expected<std::unique_ptr<ArmPort>> opened, ServedArm served) {
+    if (!opened) {
+        return tl::unexpected(opened.error());
+    }
+    auto device = std::make_unique<ArmDevice>(std::move(*opened));
+    served.port = &device->port();
+    const DeviceTraits& traits = device->traits();
+    const double usual_m_per_s2 = served.settings.sensor.most_m_per_s2;
+    served.settings.sensor = served.port->sensor();
+    if (served.settings.sensor.most_m_per_s2 == 0.0) {
+        served.settings.sensor.most_m_per_s2 = usual_m_per_s2;
+    }
+    if (traits.mass_kg > 0.0) {
+        served.settings.handle_mass_kg = traits.mass_kg;
+    }
+    if (traits.reach_m.minCoeff() > 0.0) {
+        served.settings.reach_m = traits.reach_m;
+    }
+    served.device = std::move(device);
+    return served;
+}
+
+}  // namespace
 
 Expected<ServedArm> open_served_arm(const ArmOptions& options, LatestValue<HandTarget>& target) {
     ServedArm served;
@@ -29,6 +58,10 @@ Expected<ServedArm> open_served_arm(const ArmOptions& options, LatestValue<HandT
             served.settings.reach_m = {0.08, 0.06, 0.035};
             break;
         }
+        case ArmKind::fd:
+            return serve(
+                open_dhd({.library = options.library, .may_initialise = options.may_initialise}),
+                std::move(served));
     }
     return served;
 }

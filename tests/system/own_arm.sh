@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# own_arm.sh FULCRUM: an arm at this computer that a run starts: its process is killed, stands still, and ends with the run, however that
-# ends; what cannot be served is refused in its own words.
+# own_arm.sh FULCRUM DHD: an arm at this computer that a run starts: its process is killed, stands still, and ends with the run, however that
+# ends; what cannot be served is refused in its own words. DHD stands in for Force Dimension's library.
 set -euo pipefail
 # shellcheck source=tests/system/home.sh
 source "$(dirname -- "$0")/home.sh" "$1"
@@ -54,3 +54,9 @@ ends "$found"
 mkdir "$home/no.key"
 "$fulcrum" run gravity --headless --hand simulated --key "$home/no.key" >"$home/refused.log" 2>&1 && fail "an arm without a key is played with"
 expect "$home/refused.log" "The simulated arm: " "why there is no arm is not told"
+# By a maker's library, and without.
+by_library() { "$fulcrum" run gravity --headless --first-use never --hand fd --library "$1" --seconds 2 >"$home/fd.log" 2>&1; }
+by_library "$2" || fail "the lesson was not played with a maker's arm"
+expect "$home/fd.log" "The arm's link: round trip [0-9.]+ ms" "it was not played over the link"
+by_library "$home/none.so" && fail "a library that is not there is played with"
+expect "$home/fd.log" "Force Dimension's arm: " "why there is no arm is not told"
