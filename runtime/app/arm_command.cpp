@@ -206,6 +206,7 @@ int arm_command(const Options& options) {
         return refuse_arm(options, started.error());
     }
     if (options.arm.is_attached) {
+        say_line(kArmNamed, arm->device->traits().name);
         say_line(kArmAt, std::to_string((*socket)->port()));
         attend_attached(*arm, target, options, pace.epoch_s);
     } else {

@@ -15,9 +15,10 @@ struct OwnArmKind {
     std::string_view word;  ///< of --hand
     std::string_view arm;   ///< its word of --arm
     std::string_view name;  ///< for people, at a sentence's begin
+    bool is_real = true;    ///< false: simulated
 };
 inline constexpr std::array kOwnArms{
-    OwnArmKind{"simulated", "desktop", "The simulated arm"},
+    OwnArmKind{"simulated", "desktop", "The simulated arm", false},
     OwnArmKind{"fd", "fd", "Force Dimension's arm"},
 };
 

@@ -50,11 +50,8 @@ bool mouse_is_free(const RunRequest& request) {
                request.more_hands.end();
 }
 
-// This program again, as the arm's side.
 Expected<std::unique_ptr<OwnArm>> start_own_arm(const HandChoice& choice) {
-    std::error_code error;
-    std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe", error).string(),
-                                   "arm", "--attached", "--arm", std::string(choice.own_arm->arm)};
+    std::vector<std::string> words = arm_words(*choice.own_arm);
     if (!choice.key_file.empty()) {
         words.insert(words.end(), {"--key", choice.key_file});
     }

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <utility>
 
 namespace fulcrum::runtime {
 namespace {
-
-// What the library of a maker reads, beside what any program gets: its own folders (arms.md of docs names them).
-const std::vector<std::string> kKept{"HOME=", "XDG_", "GTDD_HOME=", "OH_SDK_BASE="};
 
 // The rest of a line that begins so; nothing of another.
 std::optional<std::string_view> after(std::string_view line, std::string_view begin) {
@@ -18,6 +16,15 @@ std::optional<std::string_view> after(std::string_view line, std::string_view be
 }
 
 }  // namespace
+
+const std::vector<std::string> kArmEnvironment{"HOME=", "XDG_", "GTDD_HOME=", "OH_SDK_BASE="};
+
+// This program again, as the arm's side.
+std::vector<std::string> arm_words(const OwnArmKind& kind) {
+    std::error_code error;
+    return {std::filesystem::read_symlink("/proc/self/exe", error).string(), "arm", "--attached",
+            "--arm", std::string(kind.arm)};
+}
 
 Expected<std::unique_ptr<OwnArm>> OwnArm::start(std::vector<std::string> words, std::string name) {
     std::unique_ptr<OwnArm> arm(new OwnArm(std::move(words), std::move(name)));
@@ -61,7 +68,7 @@ void OwnArm::tell(std::string_view sentence) {
 Expected<void> OwnArm::begin() {
     std::vector<std::string> words = words_;
     words.insert(words.end(), {"--port", std::to_string(port_)});
-    auto program = LineProgram::start(words, kKept);
+    auto program = LineProgram::start(words, kArmEnvironment);
     if (!program) {
         return tl::unexpected(program.error());
     }

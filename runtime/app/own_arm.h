@@ -10,6 +10,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "runtime/app/arm_kind.h"
 #include "runtime/files/line_program.h"
 
 #include <cstdint>
@@ -30,13 +31,19 @@ inline constexpr double kArmBegin_s = 10.0;  ///< how long a process may take un
 
 // What the process says, a line each, before the rest of it.
 inline constexpr std::string_view kArmBeat = ".";
+inline constexpr std::string_view kArmNamed = "named ";  ///< model and serial, before the next
 inline constexpr std::string_view kArmAt = "at ";
 inline constexpr std::string_view kArmTold = "told ";
 inline constexpr std::string_view kArmError = "error ";
 
+/// What a maker's library may read of the environment, beside what any program gets.
+extern const std::vector<std::string> kArmEnvironment;
+/// The program and its words for an arm of this kind, but for the port.
+[[nodiscard]] std::vector<std::string> arm_words(const OwnArmKind& kind);
+
 class OwnArm {
   public:
-    /// `words`: the program and its arguments but for the port; `name`: of the arm, for people, "Haply's arm". Waits until it waits;
+    /// `words`: as arm_words gives them, and what else is said to it; `name`: of the arm, for people, "Haply's arm". Waits until it waits;
     /// refuses what the process refuses, by its own sentence.
     [[nodiscard]] static Expected<std::unique_ptr<OwnArm>> start(std::vector<std::string> words,
                                                                  std::string name);
