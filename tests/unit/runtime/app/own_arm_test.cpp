@@ -42,8 +42,8 @@ TEST_CASE("own arm: one that ends is started again at its port, and both are sai
     const ScratchFolder folder;
     const std::string mark = (folder.path() / "again").string();
     // The second time it is told the port that it had: --port is $1, the port $2.
-    const auto arm =
-        value_of(start("echo at 4711; [ \"$2\" = 4711 ] && : >'" + mark + "' && exec cat; exit 1"));
+    const auto arm = value_of(start("[ \"$2\" = 4711 ] && : >'" + mark +
+                                    "'; echo at 4711; [ \"$2\" = 4711 ] && exec cat; exit 1"));
     std::string told;
     REQUIRE(eventually([&] {
         told += arm->take_notice();
