@@ -17,11 +17,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace fulcrum::runtime {
+
+class OwnArm;
 
 /// `keys`: a pointer of its own that keys move; `none`: nobody is there.
 enum class HandKind : std::uint8_t { scripted, mouse, replay, hid, link, keys, none };
@@ -42,7 +45,9 @@ struct HandChoice {
     std::string key_file;      ///< link: empty for the default place
     /// Link: an arm at this computer, which the run starts; then the address is found. Null: another's.
     const OwnArmKind* own_arm = nullptr;
-    std::vector<std::string> arm_words;  ///< what its process is told besides
+    std::vector<std::string> arm_words;   ///< what its process is told besides
+    std::shared_ptr<OwnArm> started_arm;  ///< that process, once it was met (arm_line.h)
+    std::string arm_name;  ///< link: what the arm calls itself, model and serial, once it was met
     /// Scripted: the hand holds an arm at the other end of a link, on which things break by this seed.
     std::optional<std::uint64_t> spoil_seed;
     SpoiledModel spoil_model = SpoiledModel::desktop;  ///< which arm that is

@@ -9,9 +9,6 @@
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/link_words.h"
-#include "runtime/app/own_arm.h"
-#include "runtime/link/arm_key.h"
-#include "runtime/link/udp_socket.h"
 
 #include <algorithm>
 #include <charconv>
@@ -25,7 +22,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr double kGreeting_s = 3.0;
 constexpr double kMeasured_s = 0.1;
 
 // Of the way for which walls were made: what its margin of a tenth and its whole milliseconds do not cover.
@@ -50,15 +46,6 @@ bool mouse_is_free(const RunRequest& request) {
                request.more_hands.end();
 }
 
-Expected<std::unique_ptr<OwnArm>> start_own_arm(const HandChoice& choice) {
-    std::vector<std::string> words = arm_words(*choice.own_arm);
-    if (!choice.key_file.empty()) {
-        words.insert(words.end(), {"--key", choice.key_file});
-    }
-    words.insert(words.end(), choice.arm_words.begin(), choice.arm_words.end());
-    return OwnArm::start(std::move(words), std::string(choice.own_arm->name));
-}
-
 // There and back, as it usually takes: the median of what comes within kMeasured_s of the first that does. Commands of no force are asked for
 // it, for an arm echoes nothing else; where none comes back it is as long as it may be.
 double measure_way_s(LinkDevice& device, double began_s) {
@@ -81,14 +68,6 @@ double measure_way_s(LinkDevice& device, double began_s) {
 }
 
 }  // namespace
-
-struct ArmLine {
-    ArmLine(std::unique_ptr<UdpSocket> opened, const ArmKey& key)
-        : socket(std::move(opened)), seal(key) {}
-    std::unique_ptr<UdpSocket> socket;
-    SodiumSeal seal;
-    SodiumNumbers numbers;
-};
 
 HandDevice::HandDevice(const HapticPlan& plan)
     : workspace_(plan.workspace), safety_(plan.safety), pointer_W_(plan.workspace.pose_WD) {}
@@ -223,28 +202,11 @@ void HandDevice::keep_limits(const SafetySettings& run) {
 
 // The arm must say what it is before anything is built for it.
 Expected<void> HandDevice::link(const HandChoice& request) {
-    if (request.own_arm != nullptr) {
-        auto started = start_own_arm(request);
-        if (!started) {
-            return tl::unexpected(started.error());
-        }
-        own_arm_ = std::move(*started);
+    auto line = ArmLine::open(request);
+    if (!line) {
+        return tl::unexpected(line.error());
     }
-    const std::string where = own_arm_ != nullptr ? own_arm_->address() : request.hand_address;
-    const auto address = parse_host_port(where);
-    if (!address) {
-        return tl::unexpected(address.error());
-    }
-    const auto file = find_arm_key_file(request.key_file);
-    const auto key = file.and_then(load_or_make_arm_key);
-    if (!key) {
-        return tl::unexpected(key.error());
-    }
-    auto socket = UdpSocket::connect(*address);
-    if (!socket) {
-        return tl::unexpected(socket.error());
-    }
-    line_ = std::make_unique<ArmLine>(std::move(*socket), *key);
+    line_ = std::move(*line);
     LinkDeviceSettings settings;
     settings.max_force_N = safety_.max_force_N;
     settings.max_torque_Nm = safety_.max_torque_Nm;
@@ -252,16 +214,12 @@ Expected<void> HandDevice::link(const HandChoice& request) {
     if (auto good = validate(settings); !good) {
         return good;
     }
-    auto device =
-        std::make_unique<LinkDevice>(settings, *line_->socket, line_->seal, line_->numbers);
     const double began_s = monotonic_now_s();
-    while (!device->greet(monotonic_now_s() - began_s)) {
-        if (monotonic_now_s() - began_s > kGreeting_s || interrupted()) {
-            return tl::unexpected(explain_silence(device->status(), line_->socket->was_refused(),
-                                                  where, file->string()));
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    auto greeted = line_->greet(settings, began_s);
+    if (!greeted) {
+        return tl::unexpected(greeted.error());
     }
+    std::unique_ptr<LinkDevice> device = std::move(*greeted);
     link_s_ = measure_way_s(*device, began_s);
     // The run has a clock of its own.
     device->part();
@@ -330,9 +288,9 @@ std::optional<Vector3> HandDevice::true_velocity_W() const {
 }
 
 std::string HandDevice::take_notice() {
-    std::string notice = hid_ != nullptr       ? hid_->take_notice()
-                         : own_arm_ != nullptr ? own_arm_->take_notice()
-                                               : std::string();
+    std::string notice = hid_ != nullptr        ? hid_->take_notice()
+                         : own_arm() != nullptr ? own_arm()->take_notice()
+                                                : std::string();
     if (stands_in() != std::exchange(told_stand_in_, stands_in())) {
         notice += (notice.empty() ? "" : " ") +
                   std::string(stands_in() ? "The mouse moves the hand until it is there again."

@@ -13,6 +13,7 @@
 #include "haptics/link/link_device.h"
 #include "haptics/link/spoiled_arm.h"
 #include "haptics/loop/haptic_plan.h"
+#include "runtime/app/arm_line.h"
 #include "runtime/app/run_request.h"
 #include "runtime/lesson/first_use.h"
 
@@ -21,9 +22,6 @@
 #include <string>
 
 namespace fulcrum::runtime {
-
-struct ArmLine;  // hand_device.cpp: socket, seal, numbers
-class OwnArm;
 
 class HandDevice {
   public:
@@ -107,6 +105,9 @@ class HandDevice {
     [[nodiscard]] Expected<void> link(const HandChoice& request);
     void spoil(const RunRequest& request);
     [[nodiscard]] double planned_link_s() const;
+    [[nodiscard]] OwnArm* own_arm() const noexcept {
+        return line_ != nullptr ? line_->own_arm().get() : nullptr;
+    }
     [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer(double yield);
 
     HandKind kind_ = HandKind::none;
@@ -116,8 +117,7 @@ class HandDevice {
     std::optional<Vector3> thing_D_{};  // that is seen nearest
     LatestValue<PointerTarget> pointer_target_;
     Pose pointer_W_;
-    std::unique_ptr<OwnArm> own_arm_;  // at the other end of the link; outlives the device
-    std::unique_ptr<ArmLine> line_;    // what a link needs; outlives the device
+    std::unique_ptr<ArmLine> line_;  // what a link needs; outlives the device
     std::unique_ptr<Device> device_;
     const SimulatedHand* simulated_ = nullptr;  // the device, where it is one
     hid::HidHand* hid_ = nullptr;               // likewise, as are the next
