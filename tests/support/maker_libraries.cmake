@@ -11,7 +11,7 @@ target_compile_options(fulcrum_stand_in_options INTERFACE -O1 -ffp-contract=off 
 target_link_options(fulcrum_stand_in_options INTERFACE -Wl,-Bsymbolic,-z,defs)
 target_link_libraries(fulcrum_stand_in_options INTERFACE tl::expected Threads::Threads)
 target_link_libraries(fulcrum_stand_in_arm PRIVATE fulcrum_stand_in_options)
-foreach(maker dhd)
+foreach(maker dhd hd)
   foreach(form "" _lacking)
     add_library(fulcrum_${maker}_stand_in${form} MODULE support/maker_libraries/${maker}_stand_in.cpp $<TARGET_OBJECTS:fulcrum_stand_in_arm>)
     target_link_libraries(fulcrum_${maker}_stand_in${form} PRIVATE fulcrum_stand_in_options)

@@ -209,7 +209,7 @@ TEST_CASE(
 
     begun.stand_in.set("knows no zero", 0.0);
     CHECK(begun.rounds_until(true) > 0);
-    CHECK(begun.stand_in.get("force on") == 1.0);
+    CHECK(begun.stand_in.get("switched on") == 2.0);
     CHECK(begun.stand_in.get("watchdog") == kDhdWatchdogTicks);
 }
 
