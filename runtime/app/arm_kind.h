@@ -8,7 +8,7 @@
 namespace fulcrum::runtime {
 
 /// In the order of --arm's words. Simulated: Barrett's WAM of seven joints, and three axes on a desk. Real: runtime/arms.
-enum class ArmKind : std::uint8_t { wam, desktop, fd };
+enum class ArmKind : std::uint8_t { wam, desktop, haply, touch, fd };
 
 /// An arm at this computer that a run starts by itself (own_arm.h).
 struct OwnArmKind {
@@ -19,6 +19,8 @@ struct OwnArmKind {
 };
 inline constexpr std::array kOwnArms{
     OwnArmKind{"simulated", "desktop", "The simulated arm", false},
+    OwnArmKind{"haply", "haply", "Haply's arm"},
+    OwnArmKind{"touch", "touch", "The Touch"},
     OwnArmKind{"fd", "fd", "Force Dimension's arm"},
 };
 

@@ -94,10 +94,10 @@ Expected<HandChoice> read_hand(const std::string& word, bool in_window,
     } else if (word.ends_with(".lua")) {
         choice.hand_file = word;
     } else {
-        return fail(
-            "there is no hand \"" + word + "\"", "",
-            "give --hand mouse, hid, fd, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, a Lua "
-            "file's name, or for a second hand keys or none");
+        return fail("there is no hand \"" + word + "\"", "",
+                    "give --hand mouse, hid, haply, touch, fd, simulated, udp:HOST:PORT, wam:HOST, "
+                    "replay:FILE, a Lua "
+                    "file's name, or for a second hand keys or none");
     }
     return choice;
 }

@@ -61,7 +61,7 @@ enum class HandsThere : std::uint8_t {
     nobody,
 };
 
-/// Reads a word of --hand: FILE.lua, mouse, keys, hid, hid:PATH, fd, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, none. Refuses what is not there.
+/// Reads a word of --hand: FILE.lua, mouse, keys, hid, hid:PATH, haply, touch, fd, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, none. Refuses what is not there.
 [[nodiscard]] Expected<HandChoice> read_hand(const std::string& word, bool in_window,
                                              const std::string& key_file);
 

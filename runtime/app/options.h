@@ -55,6 +55,9 @@ struct ArmOptions {
     bool is_attached =
         false;  ///< to a program: it ends with its input, and speaks as own_arm.h says
     LinkFaults faults{};
+    std::uint16_t service_port = 10001;  ///< of Haply's service
+    std::string device_id;               ///< of Haply's arm; empty: the only one
+    std::string log_file;         ///< where what Haply's service says is kept; empty: nowhere
     std::string library;          ///< of a real arm's maker: where it lies; empty: its usual places
     bool may_initialise = false;  ///< somebody has said that the arm may move by itself once
 };

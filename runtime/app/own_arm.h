@@ -27,7 +27,8 @@ inline constexpr double kArmBeat_s = 0.2;
 inline constexpr double kArmPatience_s = 2.0;
 inline constexpr double kArmAgain_s = 1.0;
 inline constexpr double kArmFarewell_s = 2.0;
-inline constexpr double kArmBegin_s = 10.0;  ///< how long a process may take until it waits
+inline constexpr double kArmBegin_s =
+    20.0;  ///< how long a process may take until it waits: a Haply arm waits 10 s for its handle to rest
 
 // What the process says, a line each, before the rest of it.
 inline constexpr std::string_view kArmBeat = ".";

@@ -47,9 +47,15 @@ std::string key_file_of(const Options& options, std::size_t hand) {
 // What was said of a real arm, for the process that serves it.
 std::vector<std::string> words_for_arm(const ArmOptions& arm) {
     std::vector<std::string> words;
-    if (!arm.library.empty()) {
-        words.insert(words.end(), {"--library", arm.library});
-    }
+    const auto say = [&](const char* option, const std::string& value) {
+        if (!value.empty()) {
+            words.insert(words.end(), {option, value});
+        }
+    };
+    say("--service-port", std::to_string(arm.service_port));
+    say("--device", arm.device_id);
+    say("--log", arm.log_file);
+    say("--library", arm.library);
     if (arm.may_initialise) {
         words.emplace_back(kInitialiseOption);
     }

@@ -4,6 +4,8 @@
 #include "haptics/device/simulated/simulated_arm.h"
 #include "runtime/arms/arm_device.h"
 #include "runtime/arms/dhd/dhd_port.h"
+#include "runtime/arms/haply/haply_port.h"
+#include "runtime/arms/hd/hd_port.h"
 
 namespace fulcrum::runtime {
 
@@ -58,6 +60,15 @@ Expected<ServedArm> open_served_arm(const ArmOptions& options, LatestValue<HandT
             served.settings.reach_m = {0.08, 0.06, 0.035};
             break;
         }
+        case ArmKind::haply: {
+            HaplySettings settings;
+            settings.port = options.service_port;
+            settings.device_id = options.device_id;
+            settings.log_file = options.log_file;
+            return serve(open_haply(settings), std::move(served));
+        }
+        case ArmKind::touch:
+            return serve(open_hd({.library = options.library}), std::move(served));
         case ArmKind::fd:
             return serve(
                 open_dhd({.library = options.library, .may_initialise = options.may_initialise}),

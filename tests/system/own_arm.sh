@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# own_arm.sh FULCRUM DHD: an arm at this computer that a run starts: its process is killed, stands still, and ends with the run, however that
-# ends; what cannot be served is refused in its own words. DHD stands in for Force Dimension's library.
+# own_arm.sh FULCRUM DHD HD HAPLY: an arm at this computer that a run starts: its process is killed, stands still, and ends with the run, however that
+# ends; what cannot be served is refused in its own words. DHD and HD stand in for makers' libraries, HAPLY for a service.
 set -euo pipefail
 # shellcheck source=tests/system/home.sh
 source "$(dirname -- "$0")/home.sh" "$1"
@@ -54,9 +54,19 @@ ends "$found"
 mkdir "$home/no.key"
 "$fulcrum" run gravity --headless --hand simulated --key "$home/no.key" >"$home/refused.log" 2>&1 && fail "an arm without a key is played with"
 expect "$home/refused.log" "The simulated arm: " "why there is no arm is not told"
-# By a maker's library, and without.
-by_library() { "$fulcrum" run gravity --headless --first-use never --hand fd --library "$1" --seconds 2 >"$home/fd.log" 2>&1; }
-by_library "$2" || fail "the lesson was not played with a maker's arm"
-expect "$home/fd.log" "The arm's link: round trip [0-9.]+ ms" "it was not played over the link"
-by_library "$home/none.so" && fail "a library that is not there is played with"
-expect "$home/fd.log" "Force Dimension's arm: " "why there is no arm is not told"
+# By a maker's library or service, and without.
+by() { "$fulcrum" run gravity --headless --first-use never --seconds 2 --hand "$@" >"$home/maker.log" 2>&1; }
+by_arm() {
+    by "$@" || { cat "$home/maker.log"; fail "the lesson was not played with --hand $1"; }
+    expect "$home/maker.log" "The arm's link: round trip [0-9.]+ ms" "$1: it was not played over the link"
+}
+by_arm fd --library "$2"
+by_arm touch --library "$3"
+coproc service { exec "$4"; }
+started+=("$service_PID")
+read -r -t 20 -u "${service[0]}" port
+by_arm haply --service-port "$port"
+by fd --library "$home/none.so" && fail "a library that is not there is played with"
+expect "$home/maker.log" "Force Dimension's arm: " "why there is no arm is not told"
+by touch --library "$home/none.so" && fail "a library that is not there is played with"
+expect "$home/maker.log" "The Touch: " "why there is no arm is not told"
