@@ -112,10 +112,8 @@ void DhdArm::open_again(double now_s) noexcept {
         return;
     }
     id_ = static_cast<char>(opened);
-    unsigned short serial = 0;
-    const bool is_known = use_.get_serial_number(&serial, id_) >= 0;
-    round_ = !is_known                   ? DhdTrouble::call_failed
-             : serial != serial_         ? DhdTrouble::another_arm
+    const unsigned short serial = ask_dhd_serial(use_, id_);
+    round_ = serial != serial_           ? DhdTrouble::another_arm
              : !use_.is_initialized(id_) ? DhdTrouble::not_initialised
              : begin()                   ? DhdTrouble::none
                                          : DhdTrouble::call_failed;

@@ -26,7 +26,7 @@ inline constexpr double kDhdLost_s = 0.3;
 
 class DhdArm {
   public:
-    /// An arm that is open as `id` and knows its zero.
+    /// An arm that is open as `id` and knows its zero. `serial`: 0 of one that tells none.
     DhdArm(const DhdFunctions& use, char id, unsigned short serial, const DeviceTraits& traits)
         : use_(use), id_(id), serial_(serial), traits_(traits) {}
 

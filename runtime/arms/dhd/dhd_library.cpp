@@ -45,6 +45,11 @@ std::vector<MakerFunction> make_dhd_table(DhdFunctions& use) {
 
 }  // namespace
 
+unsigned short ask_dhd_serial(const DhdFunctions& use, char id) noexcept {
+    unsigned short serial = 0;
+    return use.get_serial_number(&serial, id) >= 0 ? serial : static_cast<unsigned short>(0);
+}
+
 Expected<DhdLibrary> load_dhd(const std::string& path) {
     DhdLibrary library;
     const std::vector<MakerFunction> table = make_dhd_table(library.use);

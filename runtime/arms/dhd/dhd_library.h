@@ -65,6 +65,9 @@ struct DhdLibrary {
     std::string version;  ///< "3.17.5"
 };
 
+/// The arm's number; 0 of one that tells none.
+[[nodiscard]] unsigned short ask_dhd_serial(const DhdFunctions& use, char id) noexcept;
+
 /// Opens it at `path`, or where `path` is empty by its usual names. Refuses one that is missing, lacks a function or is older than 3.14.
 [[nodiscard]] Expected<DhdLibrary> load_dhd(const std::string& path);
 

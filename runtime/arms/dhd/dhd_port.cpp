@@ -120,8 +120,8 @@ Expected<void> check_dhd_settings(const DhdSettings& settings) {
 
 std::string name_dhd_arm(const DhdFunctions& use, char id, unsigned short serial) {
     const char* model = use.get_system_name(id);
-    return (model != nullptr ? std::string(model) : "Force Dimension arm") + " " +
-           std::to_string(serial);
+    return (model != nullptr ? std::string(model) : "Force Dimension arm") +
+           (serial != 0 ? " " + std::to_string(serial) : "");
 }
 
 std::string tell_dhd_error(const DhdFunctions& use) {
@@ -172,11 +172,7 @@ Expected<void> find_zero(const DhdFunctions& use, char id, const DhdSettings& se
 Expected<std::unique_ptr<ArmPort>> open_arm(const DhdLibrary& library, char id,
                                             const DhdSettings& settings) {
     const DhdFunctions& use = library.use;
-    unsigned short serial = 0;
-    if (use.get_serial_number(&serial, id) < 0) {
-        return fail("the arm does not tell its number" + tell_dhd_error(use), {},
-                    "switch it off and on, and begin again");
-    }
+    const unsigned short serial = ask_dhd_serial(use, id);
     const DeviceTraits traits = find_dhd_traits(use, id, serial, settings);
     if (auto known = find_zero(use, id, settings, traits.name); !known) {
         return tl::unexpected(known.error());

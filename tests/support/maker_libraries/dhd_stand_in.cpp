@@ -102,7 +102,7 @@ const char* dhdGetSystemName(char /*id*/) {
 }
 int dhdGetSerialNumber(unsigned short* number, char /*id*/) {
     *number = static_cast<unsigned short>(value_or("serial", kUsualSerial));
-    return is_away() ? -1 : 0;
+    return is_away() || arm().get("tells no number") != 0.0 ? -1 : 0;
 }
 bool dhdHasActiveWrist(char /*id*/) {
     return arm().get("active wrist") != 0.0;

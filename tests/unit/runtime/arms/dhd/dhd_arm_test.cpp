@@ -174,6 +174,18 @@ TEST_CASE("dhd arm: a brake that does not go is not fought more than twice a sec
     CHECK(tries <= 6.0);
 }
 
+TEST_CASE(
+    "dhd arm: a force that is off is a brake without one, and a brake is one without a force that "
+    "is off") {
+    Begun begun;
+    begun.stand_in.set("force on", 0.0);
+    CHECK(begun.rounds_until(false) <= kDhdStatusEvery);
+    begun.stand_in.set("force on", 1.0);
+    CHECK(begun.rounds_until(true) <= kDhdStatusEvery);
+    begun.stand_in.set("brake", 1.0);
+    CHECK(begun.rounds_until(false) <= kDhdStatusEvery);
+}
+
 TEST_CASE("dhd arm: an error that it reports, and an order that does not get through, are faults") {
     Begun begun;
     begun.stand_in.set("error", 1.0);

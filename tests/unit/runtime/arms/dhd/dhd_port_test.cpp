@@ -86,6 +86,10 @@ TEST_CASE("dhd port: traits are those of the model, within our own limits") {
     CHECK(port->facts()[1] == ArmFact{"dhd version", "3.17.5"});
     CHECK(port->facts()[2] == ArmFact{"dhd watchdog", "20 ms"});
 
+    const MakerStandIn nameless(FULCRUM_DHD_STAND_IN);
+    nameless.set("tells no number", 1.0);
+    CHECK(open_stand_in(nameless)->traits().name == "omega.3");
+
     const MakerStandIn sigma(FULCRUM_DHD_STAND_IN);
     sigma.set("type", 104);
     sigma.set("active wrist", 1.0);
