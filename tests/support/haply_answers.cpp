@@ -65,9 +65,10 @@ Text state_of(const HaplyOptions& options, const StandInState& state) {
                  {"angular_velocity", angles},
                  {"control_domain", "cartesian"},
                  {options.speaks_3_0 ? "mode" : "control_mode", "force"}};
-    if (!options.leaves_out || state.force_A != Vector3::Zero()) {
-        text["current_cursor_force"] =
-            vector_of(options, turn_to_base(options, state.force_A));  // a swap undoes itself
+    const Vector3 echo_A = options.echoes ? state.force_A : Vector3::Zero();
+    if (!options.leaves_out || echo_A != Vector3::Zero()) {
+        // A swap undoes itself.
+        text["current_cursor_force"] = vector_of(options, turn_to_base(options, echo_A));
     }
     if (!options.speaks_3_0 && (!options.leaves_out || options.transform_scale != 1.0)) {
         text["transform"] = transform_of(options, options.transform_scale);

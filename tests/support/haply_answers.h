@@ -45,6 +45,7 @@ struct HaplyOptions {
     // Faults.
     bool is_silent = false;      ///< takes commands and answers none
     bool hangs = false;          ///< takes nothing, sends nothing, and leaves the last force on
+    bool echoes = true;          ///< tells the force that it has [W]
     bool repeats = false;        ///< answers the same state again and again
     bool cuts_off = false;       ///< the next answer ends in the middle of its frame, with the line
     bool is_malformed = false;   ///< answers are half a message

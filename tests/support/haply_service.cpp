@@ -38,6 +38,8 @@ SimulatedArmSettings HaplyService::make_hand() {
     settings.max_force_N = 10.0;
     settings.position_resolution_m = 1.0e-5;
     settings.human = kArm;
+    // Nothing may hide that the hand trembles.
+    settings.dry_friction_N = 0.0;
     return settings;
 }
 
