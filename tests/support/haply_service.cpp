@@ -56,6 +56,7 @@ HaplyService::~HaplyService() {
 void HaplyService::change(const std::function<void(HaplyOptions&)>& by) {
     const std::lock_guard lock(mutex_);
     by(options_);
+    felt_.pushes = 0;
 }
 
 void HaplyService::move_hand(const Vector3& to_D, const Quaternion& turn_D, double tremble_m) {
@@ -200,7 +201,6 @@ void HaplyService::note(const StandInOrder& order) {
     felt_.full_states += order.wants_all ? 1U : 0U;
     if (order.force_A.value_or(Vector3::Zero()) != Vector3::Zero()) {
         ++felt_.pushes;
-        felt_.pushed_s = monotonic_now_s();
     }
 }
 

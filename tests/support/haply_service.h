@@ -23,8 +23,7 @@ struct HaplyFelt {
     Vector3 position_D{Vector3::Zero()};
     double peak_N = 0.0;
     std::uint64_t messages = 0;
-    std::uint64_t pushes = 0;       ///< messages with a force
-    double pushed_s = 0.0;          ///< when the last of them came, monotonic clock
+    std::uint64_t pushes = 0;       ///< messages with a force, since the last `change`
     std::uint64_t full_states = 0;  ///< asked for
     std::uint64_t pongs = 0;
     std::uint64_t sessions = 0;  ///< begun

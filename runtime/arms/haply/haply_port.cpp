@@ -197,7 +197,7 @@ bool HaplyPort::do_round(double now_s) {
     if (!hear(now_s + kAnswer_s)) {
         return false;
     }
-    watch_.step(now_s);
+    watch_.step();
     const double silent_s = monotonic_now_s() - heard_s_;
     if (silent_s > kTellSilence_s) {
         lose("does not answer: look whether the Haply Inverse Service still runs");

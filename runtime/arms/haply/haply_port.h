@@ -20,9 +20,6 @@
 
 namespace fulcrum::runtime {
 
-/// The most that is ordered. The motors give more (10 N by chai3d's driver), but what they give for long is not documented.
-inline constexpr double kHaplyForce_N = 3.0;
-
 struct HaplySettings {
     std::uint16_t port = 10001;  ///< of the service, at this computer; not 0
     std::string

@@ -1,7 +1,6 @@
 #include "runtime/arms/haply/haply_traits.h"
 
 #include "runtime/arms/haply/haply_judge.h"
-#include "runtime/arms/haply/haply_port.h"
 
 #include <array>
 #include <cmath>

@@ -8,6 +8,9 @@
 
 namespace fulcrum::runtime {
 
+/// The most that is ordered. The motors give more (10 N by chai3d's driver), but what they give for long is not documented.
+inline constexpr double kHaplyForce_N = 3.0;
+
 /// Of one that has a configuration.
 [[nodiscard]] DeviceTraits make_haply_traits(const HaplyArm& arm);
 

@@ -40,7 +40,7 @@ void HaplyWatch::note(const HaplyArm& arm, double now_s) {
     }
 }
 
-void HaplyWatch::step(double /*now_s*/) {
+void HaplyWatch::step() {
     if (query_.state() != HttpQuery::State::waits || query_.step() != HttpQuery::State::done) {
         return;
     }

@@ -32,7 +32,7 @@ class HaplyWatch {
     /// What a state tells.
     void note(const HaplyArm& arm, double now_s);
     /// Goes on with the question for the scale.
-    void step(double now_s);
+    void step();
     /// What has changed, by name ("the basis"); empty while nothing has. It stays.
     [[nodiscard]] const std::string& change() const noexcept { return change_; }
 

@@ -1,7 +1,7 @@
 #include "runtime/arms/haply/haply_port.h"
 
 #include "haptics/device/watched/sensor_guard.h"
-#include "tests/support/refused.h"
+#include "runtime/arms/haply/haply_traits.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/unit/runtime/arms/haply/haply_rig.h"
 
@@ -45,7 +45,7 @@ TEST_CASE("haply port: a place is in frame D, from the middle of the arm's space
         rig.service().move_hand(place);
         CHECK(comes_to(rig, place, 2.0e-3));
     }
-    CHECK(rig.told().empty());
+    CHECK(rig.told_but_silence().empty());
     CHECK_FALSE(rig.service().felt().was_unmasked);
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("haply port: a grip turns the tool and has its buttons; asleep it keep
         now.grip_buttons = "button_1";
     });
     CHECK(eventually([&] { return rig.seen().reading.buttons == 0b10; }));
-    CHECK(rig.told().empty());
+    CHECK(rig.told_but_silence().empty());
 }
 
 TEST_CASE("haply port: however messages are cut, counted and shortened, it is the same arm") {
@@ -176,7 +176,7 @@ TEST_CASE("haply port: however messages are cut, counted and shortened, it is th
     const auto messages = rig.service().felt().messages;
     CHECK(eventually([&] { return rig.service().felt().messages > messages + 100; }));
     CHECK(rig.feels({0.0, 0.0, 1.0}));
-    CHECK(rig.told().empty());
+    CHECK(rig.told_but_silence().empty());
 }
 
 TEST_CASE("haply port: the middle is where the handle rests, and who never rests is told") {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -72,6 +73,17 @@ class HaplyRig {
             told_ += notice + "\n";
         }
         return told_;
+    }
+    /// Less that the service was silent for a moment, which a busy machine may bring about.
+    [[nodiscard]] std::string told_but_silence() {
+        std::istringstream lines(told());
+        std::string rest;
+        for (std::string line; std::getline(lines, line);) {
+            const bool is_of_silence = line.find("does not answer") != std::string::npos ||
+                                       line.find("is back") != std::string::npos;
+            rest += is_of_silence ? "" : line;
+        }
+        return rest;
     }
     [[nodiscard]] bool is_told(const std::string& words) {
         return test_support::eventually([&] { return told().find(words) != std::string::npos; });

@@ -1,11 +1,6 @@
 #include "runtime/arms/haply/haply_traits.h"
 
-#include "runtime/arms/haply/haply_port.h"
-#include "tests/support/refused.h"
-
 #include <catch2/catch.hpp>
-
-#include <limits>
 
 namespace fulcrum::runtime {
 namespace {
