@@ -3,5 +3,6 @@ add_library(fulcrum_haply_service STATIC ${CMAKE_SOURCE_DIR}/tests/support/haply
             ${CMAKE_SOURCE_DIR}/tests/support/haply_wire.cpp)
 target_link_libraries(fulcrum_haply_service PUBLIC fulcrum::arms fulcrum::haptics PRIVATE nlohmann_json::nlohmann_json)
 target_link_libraries(test_unit_arms PRIVATE fulcrum_haply_service)
+target_link_libraries(test_realtime PRIVATE fulcrum_haply_service)
 add_executable(haply_stand_in ${CMAKE_SOURCE_DIR}/tests/support/haply_stand_in.cpp)
 target_link_libraries(haply_stand_in PRIVATE fulcrum_haply_service)

@@ -10,6 +10,7 @@
 namespace fulcrum::runtime {
 namespace {
 
+constexpr int kMostPings = 64;         // before one message: nobody who means well sends more
 constexpr double kPongWait_s = 0.005;  // a ping's answer that does not go at once, goes never
 
 // False where the system has none to give.
@@ -93,20 +94,21 @@ bool WebSocket::send(std::string_view text, double deadline_s) noexcept {
 }
 
 WebSocket::Heard WebSocket::receive(std::string& text, double deadline_s) noexcept {
+    int n_pings = 0;
     while (why_.empty()) {
-        switch (reader_.next()) {
+        const FrameReader::Got got = reader_.next();
+        switch (got) {
             case FrameReader::Got::text:
                 text = reader_.payload();
                 return Heard::text;
-            case FrameReader::Got::ping: {
-                const std::string asked = reader_.payload();
-                if (!send_frame(Opcode::pong, asked,
-                                std::max(deadline_s, monotonic_now_s() + kPongWait_s))) {
+            case FrameReader::Got::ping:
+            case FrameReader::Got::pong:
+                if (++n_pings > kMostPings) {
+                    return leave("it sends pings instead of messages");
+                }
+                if (got == FrameReader::Got::ping && !answer_ping(deadline_s)) {
                     return leave("it takes nothing more");
                 }
-                continue;
-            }
-            case FrameReader::Got::pong:
                 continue;
             case FrameReader::Got::close:
                 return leave("it has closed the connection");
@@ -127,6 +129,11 @@ WebSocket::Heard WebSocket::receive(std::string& text, double deadline_s) noexce
         }
     }
     return Heard::gone;
+}
+
+bool WebSocket::answer_ping(double deadline_s) noexcept {
+    return send_frame(Opcode::pong, reader_.payload(),
+                      std::max(deadline_s, monotonic_now_s() + kPongWait_s));
 }
 
 WebSocket::Heard WebSocket::leave(std::string_view why) noexcept {

@@ -37,6 +37,7 @@ class WebSocket {
     explicit WebSocket(LoopbackSocket line) : line_(std::move(line)) {}
     [[nodiscard]] bool send_frame(Opcode opcode, std::string_view payload,
                                   double deadline_s) noexcept;
+    [[nodiscard]] bool answer_ping(double deadline_s) noexcept;
     [[nodiscard]] Heard leave(std::string_view why) noexcept;
 
     LoopbackSocket line_;

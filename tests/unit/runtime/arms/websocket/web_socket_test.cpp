@@ -116,6 +116,17 @@ TEST_CASE(
         CHECK(line.client->receive(line.text, in_a_while()) == Heard::gone);
         CHECK(line.client->why() == "it sends bytes instead of text");
     }
+    {
+        // Each is answered, but a flood of them holds nobody.
+        Opened line;
+        std::string flood;
+        for (int i = 0; i < 100; ++i) {
+            flood += std::string("\x89\x00", 2);
+        }
+        CHECK(line.guest.write(flood));
+        CHECK(line.client->receive(line.text, in_a_while()) == Heard::gone);
+        CHECK(line.client->why() == "it sends pings instead of messages");
+    }
     Opened line;
     line.client->close();
     CHECK(line.heard().says_goodbye);
