@@ -221,21 +221,15 @@ void read_haply_list(const HaplyJson& message, const char* name, std::string& wh
     }
 }
 
-// The first number that has this name, or stands as a value beside or under it.
-std::optional<double> find_haply_scale(const HaplyJson& value, bool is_under) {
-    if (value.is_number()) {
-        return is_under ? std::optional(value.get<double>()) : std::nullopt;
-    }
-    if (!value.is_object()) {
-        return std::nullopt;
-    }
-    for (const auto& [name, inner] : value.items()) {
-        const bool is_it = name == "force_scale" || name == "devices/force_scale";
-        const bool is_value = is_under && (name == "value" || name == "data");
-        const bool is_outer = name == "data" || name == "devices" || name == "settings";
-        if (is_it || is_value || is_outer) {
-            if (const auto found = find_haply_scale(inner, is_it || is_value)) {
-                return found;
+// Where a scale of forces may stand, the nearest to its name first: alone or among all settings, in the envelope or without.
+std::optional<double> find_haply_scale(const HaplyJson& json) {
+    for (const char* name : {"/devices~1force_scale", "/devices/force_scale", "/force_scale", ""}) {
+        for (const char* outer : {"/data", "/data/settings", "/settings", ""}) {
+            for (const char* inner : {"/value", ""}) {
+                const HaplyJson::json_pointer place(std::string(outer) + name + inner);
+                if (json.contains(place) && json.at(place).is_number()) {
+                    return json.at(place).get<double>();
+                }
             }
         }
     }
@@ -305,17 +299,7 @@ std::string parse_haply_version(std::string_view text) {
 
 std::optional<double> parse_haply_force_scale(std::string_view text) {
     try {
-        const HaplyJson json = parse_haply_json(text);
-        auto scale = find_haply_scale(json, false);
-        // The answer to the one key is its value alone, or in the envelope.
-        if (!scale && json.is_number()) {
-            scale = json.get<double>();
-        } else if (!scale && json.is_object() && json.contains("data")) {
-            const HaplyJson& data = json.at("data");
-            scale = find_haply_scale(data, true);
-        } else if (!scale) {
-            scale = find_haply_scale(json, true);
-        }
+        const auto scale = find_haply_scale(parse_haply_json(text));
         return scale && std::isfinite(*scale) ? scale : std::nullopt;
     } catch (...) {
         return std::nullopt;

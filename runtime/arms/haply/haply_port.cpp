@@ -48,7 +48,8 @@ void sleep_haply_until(double monotonic_s) noexcept {
 Expected<Vector3> find_haply_centre(HaplySession& session, double wait_s) {
     RestFinder finder;
     const double until_s = monotonic_now_s() + wait_s;
-    for (double now_s = monotonic_now_s(); now_s < until_s; now_s = monotonic_now_s()) {
+    while (monotonic_now_s() < until_s) {
+        const double now_s = monotonic_now_s();
         HaplyMessage message;
         if (!session.send(Vector3::Zero(), session.word(), false, now_s + kAnswer_s)) {
             return fail("the Haply service has gone: " + session.why(), "", "start it anew");
@@ -57,12 +58,13 @@ Expected<Vector3> find_haply_centre(HaplySession& session, double wait_s) {
         if (heard == HaplySession::Heard::gone || heard == HaplySession::Heard::nothing) {
             return fail("the Haply service does not answer", "", "start it anew");
         }
-        for (const HaplyArm& arm : message.arms) {
-            if (arm.id == session.arm().id) {
-                if (const auto centre = finder.step(arm.position_A, monotonic_now_s())) {
-                    return *centre;
-                }
-            }
+        const auto arm = std::ranges::find_if(
+            message.arms, [&](const HaplyArm& one) { return one.id == session.arm().id; });
+        const auto centre = arm != message.arms.end()
+                                ? finder.step(arm->position_A, monotonic_now_s())
+                                : std::nullopt;
+        if (centre) {
+            return *centre;
         }
         sleep_haply_until(now_s + kRestPause_s);
     }
