@@ -3,7 +3,7 @@
 #   fuzz_NAME    driven by libFuzzer where clang builds (FULCRUM_FUZZ); tests/fuzz/run.sh runs them (target fuzz_all builds them all)
 #   replay_NAME  a test: the seeds and a fixed set of mutations of them, with any compiler
 # The libraries that read what strangers wrote; the others need not be built for this.
-set(libraries fulcrum::haptics fulcrum::dialogue fulcrum::scene fulcrum::lua fulcrum::audio fulcrum::hearing)
+set(libraries fulcrum::haptics fulcrum::dialogue fulcrum::scene fulcrum::lua fulcrum::audio fulcrum::hearing fulcrum::arms)
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/fuzz/*_fuzz.cpp)
 add_library(fulcrum_replay OBJECT ${CMAKE_SOURCE_DIR}/tests/fuzz/replay.cpp)
 target_link_libraries(fulcrum_replay PUBLIC fulcrum_options)

@@ -25,7 +25,7 @@ class ForceProof {
     static constexpr int kMostStates = 300;  ///< 0.3 s at 1 kHz
     static constexpr double kRise_N_per_s = 12.0;
     static constexpr double kMoved_N = 0.5;
-    static constexpr double kStuck_s = 0.1;
+    static constexpr double kStuck_s = 0.03;
     static constexpr std::size_t kRemembered = 4;
 
     enum class Verdict : unsigned char { open, proven, refused };

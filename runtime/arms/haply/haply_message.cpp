@@ -161,11 +161,17 @@ HaplyArm read_haply_arm(const HaplyJson& object, std::string& why) {
     arm.velocity_A = parts.vector("cursor_velocity", kFastest_m_per_s);
     arm.echo_A = parts.vector("current_cursor_force", kStrongest_N);
     arm.transform = parts.transform("transform");
+    // Of services before `status`: 2 and above is calibrated (jhu-saw/sawHaplyService, mtsHaply.cpp).
+    constexpr double kCalibrated = 2.0;
+    if (const auto calibration = parts.number("calibration_state", kLargestScale)) {
+        arm.status.is_calibrated = *calibration >= kCalibrated;
+    }
     if (const HaplyJson* status = fields.find("status")) {
         const HaplyFields said(*status, why);
-        arm.status = {.is_calibrated = said.flag("calibrated"),
-                      .is_in_use = said.flag("in_use"),
-                      .has_power = said.flag("power_supply")};
+        const auto is_calibrated = said.flag("calibrated");
+        arm.status.is_calibrated = is_calibrated ? is_calibrated : arm.status.is_calibrated;
+        arm.status.is_in_use = said.flag("in_use");
+        arm.status.has_power = said.flag("power_supply");
     }
     return arm;
 }

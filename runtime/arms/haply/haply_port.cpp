@@ -181,8 +181,9 @@ void HaplyPort::stream() {
             session_.reset();
             return;
         }
-        // Never two rounds at once for one that was late.
-        next_s = std::max(next_s + 1.0 / settings_.rate_Hz, monotonic_now_s());
+        // One round that was late is made up for, and no more.
+        const double period_s = 1.0 / settings_.rate_Hz;
+        next_s = std::max(next_s + period_s, monotonic_now_s() - period_s);
         sleep_haply_until(next_s);
     }
 }

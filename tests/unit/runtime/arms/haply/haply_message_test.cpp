@@ -105,6 +105,14 @@ TEST_CASE("haply message: what is left out is identity, and says nothing of the 
     CHECK_FALSE(arm.config->gate_gain);
     CHECK_FALSE(arm.status.is_calibrated);
     CHECK(parse_haply_message("{}")->arms.empty());
+    // Older ones have a number for it.
+    for (const int number : {0, 1, 2, 3}) {
+        const auto older = parse_haply_message(
+            R"({"inverse3":[{"state":{"cursor_position":{},"calibration_state":)" +
+            std::to_string(number) + "}}]}");
+        REQUIRE(older);
+        CHECK(older->arms.at(0).status.is_calibrated == (number >= 2));
+    }
 }
 
 TEST_CASE("haply message: whatever makes no sense makes the whole message one of no use") {

@@ -219,11 +219,26 @@ TEST_CASE("haply port: messages are kept as they came where a file is named") {
     CHECK(other.why.find("cannot be kept there") != std::string::npos);
 }
 
-TEST_CASE("haply port: what is known of its sensors is taken by the guard") {
+TEST_CASE(
+    "haply port: a state that repeats under a force that stays is found by the sensor guard") {
     HaplyRig rig;
-    REQUIRE(rig.open(always(Vector3::Zero())));
-    CHECK(validate(rig.port().sensor()));
-    CHECK(rig.port().sensor().trembles_within_s > 0.0);
+    REQUIRE(rig.open(always({0.0, 1.0, 0.0})));
+    REQUIRE(validate(rig.port().sensor()));
+    REQUIRE(rig.feels({0.0, 1.0, 0.0}));
+    SensorGuard guard(rig.port().sensor(), rig.port().traits().position_resolution_m);
+    const auto is_stale = [&] {
+        const RigSeen seen = rig.seen();
+        return any(guard.step(seen.reading.pose_D.position, seen.reading.stamp_s, {0.0, 1.0, 0.0}));
+    };
+    // A hand trembles.
+    bool was_stale = false;
+    for (const double until_s = monotonic_now_s() + 1.5; monotonic_now_s() < until_s;) {
+        was_stale = is_stale() || was_stale;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    CHECK_FALSE(was_stale);
+    rig.service().change([](HaplyOptions& now) { now.repeats = true; });
+    CHECK(eventually(is_stale));
 }
 
 // Figures for people, of this machine at this time: test_unit_arms "[.measure]"
