@@ -17,8 +17,8 @@ constexpr std::string_view kGloss = "gloss.";
 constexpr std::size_t kLongestPhrase = 3;  // words of one gloss
 
 // The line on which a key stands.
-std::size_t line_of(const std::string& text, const std::string& key) {
-    std::istringstream lines(text);
+std::size_t line_of(const std::filesystem::path& file, const std::string& key) {
+    std::ifstream lines(file);
     std::string line;
     std::size_t number = 0;
     while (std::getline(lines, line)) {
@@ -42,21 +42,14 @@ Expected<dialogue::Catalogue> read_lesson_words(const std::filesystem::path& fol
     if (!std::filesystem::exists(path, none)) {
         return dialogue::Catalogue();
     }
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) {
-        return fail("a lesson's words cannot be read", path.string(), "save the file again");
-    }
-    auto words = dialogue::Catalogue::parse(text.str());
+    auto words = read_catalogue(path, "a lesson's");
     if (!words) {
-        return fail(words.error().message, path.string() + ":" + std::to_string(words.error().line),
-                    "mend that line");
+        return words;
     }
     for (const std::string& key : words->keys()) {
         if (key != "title" && !(key.starts_with(kGloss) && key.size() > kGloss.size())) {
             return fail("a lesson's words have no \"" + key + "\"",
-                        path.string() + ":" + std::to_string(line_of(text.str(), key)),
+                        path.string() + ":" + std::to_string(line_of(path, key)),
                         "write title or gloss. and an English word");
         }
     }

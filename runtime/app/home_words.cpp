@@ -50,21 +50,24 @@ Language find_system_language() {
     return Language::english;
 }
 
-Expected<dialogue::Catalogue> read_words(const std::filesystem::path& folder, Language language) {
-    const std::filesystem::path words = folder / (std::string(code_of(language)) + ".txt");
-    std::ifstream file(words);
+Expected<dialogue::Catalogue> read_catalogue(const std::filesystem::path& path,
+                                             const std::string& whose) {
+    std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
     if (!file) {
-        return fail("the program's words cannot be read", words.string(), "restore the file");
+        return fail(whose + " words cannot be read", path.string(), "restore the file");
     }
     auto catalogue = dialogue::Catalogue::parse(text.str());
     if (!catalogue) {
         return fail(catalogue.error().message,
-                    words.string() + ":" + std::to_string(catalogue.error().line),
-                    "mend that line");
+                    path.string() + ":" + std::to_string(catalogue.error().line), "mend that line");
     }
     return std::move(*catalogue);
+}
+
+Expected<dialogue::Catalogue> read_words(const std::filesystem::path& folder, Language language) {
+    return read_catalogue(folder / (std::string(code_of(language)) + ".txt"), "the program's");
 }
 
 HomeWords::HomeWords(std::filesystem::path folder, dialogue::Catalogue english)

@@ -21,7 +21,10 @@ namespace fulcrum::runtime {
 /// That of this program's surroundings: LC_ALL, else LC_MESSAGES, else LANG (setlocale(3)).
 [[nodiscard]] Language find_system_language();
 
-/// A catalogue's file in this folder; an error names its line.
+/// A catalogue's file; an error names its line. `whose`: "the program's", for a sentence.
+[[nodiscard]] Expected<dialogue::Catalogue> read_catalogue(const std::filesystem::path& path,
+                                                           const std::string& whose);
+/// The program's words in this folder.
 [[nodiscard]] Expected<dialogue::Catalogue> read_words(const std::filesystem::path& folder,
                                                        Language language);
 
