@@ -3,8 +3,10 @@
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/link_words.h"
+#include "runtime/arms/dhd/dhd_port.h"
 #include "runtime/link/arm_key.h"
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -18,6 +20,11 @@ Expected<std::shared_ptr<OwnArm>> start_own_arm(const HandChoice& choice) {
         words.insert(words.end(), {"--key", choice.key_file});
     }
     words.insert(words.end(), choice.arm_words.begin(), choice.arm_words.end());
+    // Nor is it for the next lesson of this program.
+    static std::atomic<bool> yes_is_used{false};
+    if (yes_is_used.exchange(true)) {
+        std::erase(words, kInitialiseOption);
+    }
     return OwnArm::start(std::move(words), std::string(choice.own_arm->name))
         .map([](std::unique_ptr<OwnArm>&& arm) { return std::shared_ptr<OwnArm>(std::move(arm)); });
 }

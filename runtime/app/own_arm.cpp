@@ -1,6 +1,7 @@
 #include "runtime/app/own_arm.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/arms/dhd/dhd_port.h"
 
 #include <algorithm>
 #include <charconv>
@@ -68,6 +69,8 @@ void OwnArm::tell(std::string_view sentence) {
 Expected<void> OwnArm::begin() {
     std::vector<std::string> words = words_;
     words.insert(words.end(), {"--port", std::to_string(port_)});
+    // Somebody's yes was for now: whoever holds the arm when it is started again did not give it.
+    std::erase(words_, kInitialiseOption);
     auto program = LineProgram::start(words, kArmEnvironment);
     if (!program) {
         return tl::unexpected(program.error());

@@ -45,7 +45,7 @@ extern const std::vector<std::string> kArmEnvironment;
 class OwnArm {
   public:
     /// `words`: as arm_words gives them, and what else is said to it; `name`: of the arm, for people, "Haply's arm". Waits until it waits;
-    /// refuses what the process refuses, by its own sentence.
+    /// refuses what the process refuses, by its own sentence. --initialise among the words is said the first time alone.
     [[nodiscard]] static Expected<std::unique_ptr<OwnArm>> start(std::vector<std::string> words,
                                                                  std::string name);
     OwnArm(const OwnArm&) = delete;

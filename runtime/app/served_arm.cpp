@@ -19,11 +19,7 @@ Expected<ServedArm> serve(Expected<std::unique_ptr<ArmPort>> opened, ServedArm s
     auto device = std::make_unique<ArmDevice>(std::move(*opened));
     served.port = &device->port();
     const DeviceTraits& traits = device->traits();
-    const double usual_m_per_s2 = served.settings.sensor.most_m_per_s2;
     served.settings.sensor = served.port->sensor();
-    if (served.settings.sensor.most_m_per_s2 == 0.0) {
-        served.settings.sensor.most_m_per_s2 = usual_m_per_s2;
-    }
     if (traits.mass_kg > 0.0) {
         served.settings.handle_mass_kg = traits.mass_kg;
     }

@@ -1,5 +1,7 @@
 #include "runtime/arms/arm_device.h"
 
+#include <algorithm>
+
 namespace fulcrum::runtime {
 
 bool ArmDevice::read(double now_s, DeviceReading& reading) noexcept {
@@ -8,7 +10,11 @@ bool ArmDevice::read(double now_s, DeviceReading& reading) noexcept {
     if (!sample.is_there) {
         return false;
     }
-    reading = {.stamp_s = now_s - (monotonic_now_s() - sample.stamp_s),
+    // A round that looks late must not make the same pose older than it was: a stamp that went back is a fault.
+    const double ahead_s = now_s - monotonic_now_s();
+    clock_ahead_s_ = now_s < read_s_ ? ahead_s : std::max(clock_ahead_s_, ahead_s);
+    read_s_ = now_s;
+    reading = {.stamp_s = sample.stamp_s + clock_ahead_s_,
                .pose_D = sample.pose_D,
                .buttons = sample.buttons,
                .faults = sample.faults};

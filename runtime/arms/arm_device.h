@@ -5,6 +5,7 @@
 
 #include "runtime/arms/arm_port.h"
 
+#include <limits>
 #include <memory>
 
 namespace fulcrum::runtime {
@@ -24,6 +25,9 @@ class ArmDevice final : public Device {
 
   private:
     std::unique_ptr<ArmPort> port_;
+    // The loop's clock before the machine's: the most that was seen, for a round begins before it reads.
+    double clock_ahead_s_ = -std::numeric_limits<double>::infinity();
+    double read_s_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace fulcrum::runtime

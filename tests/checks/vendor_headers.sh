@@ -18,6 +18,7 @@ BEGIN {
     home["^(tiny_gltf|stb_)"] = "^runtime/scene/gltf/"
     home["^(png|jpeglib)[.]h$"] = "^runtime/scene/picture/"
     home["^nlohmann/"] = "^(runtime|dialogue/speech/external)/"
+    home["^barrett/"] = "^runtime/arms/wam/barrett/"
     home["^sodium[.]h$"] = "^runtime/link/"
     home["^(hidapi|libusb)"] = "^haptics/device/hid/hidapi/"
     home["^(pocketsphinx|ps_search|sphinxbase|flite|onnxruntime)"] = "^dialogue/speech/"

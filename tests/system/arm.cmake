@@ -4,4 +4,4 @@ fulcrum_system_test("an arm in another process is played with, and fades by itse
 # An arm's process that a run starts, watches and ends.
 fulcrum_system_test("an arm at this computer is started, watched and ended with a run" own_arm.sh
                     WITH $<TARGET_FILE:fulcrum> $<TARGET_FILE:fulcrum_dhd_stand_in> $<TARGET_FILE:fulcrum_hd_stand_in>
-                         $<TARGET_FILE:haply_stand_in> REAL_TIME TIMEOUT 180)
+                         $<TARGET_FILE:haply_stand_in> $<TARGET_FILE:wam_stand_in> REAL_TIME TIMEOUT 180)

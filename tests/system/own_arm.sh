@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# own_arm.sh FULCRUM DHD HD HAPLY: an arm at this computer that a run starts: its process is killed, stands still, and ends with the run, however that
-# ends; what cannot be served is refused in its own words. DHD and HD stand in for makers' libraries, HAPLY for a service.
+# own_arm.sh FULCRUM DHD HD HAPLY WAM: an arm at this computer that a run starts: its process is killed, stands still, and ends with the run, however that
+# ends; what cannot be served is refused in its own words. DHD and HD stand in for makers' libraries, HAPLY for a service, WAM for a WAM with its computer.
 set -euo pipefail
 # shellcheck source=tests/system/home.sh
 source "$(dirname -- "$0")/home.sh" "$1"
@@ -66,6 +66,18 @@ coproc service { exec "$4"; }
 started+=("$service_PID")
 read -r -t 20 -u "${service[0]}" port
 by_arm haply --service-port "$port"
+"$5" --port 0 >"$home/wam.log" 2>&1 &
+wam=$!
+started+=("$wam")
+for _ in $(seq 100); do
+    port=$(sed -n 's/.*waits at port \([0-9]*\).*/\1/p' "$home/wam.log")
+    [[ -z $port ]] || break
+    sleep 0.1
+done
+by_arm "wam:127.0.0.1:$port"
+kill -TERM "$wam"
+ends "$wam"
+expect "$home/wam.log" "Hold the arm and press Shift-idle." "the WAM is left without a word"
 by fd --library "$home/none.so" && fail "a library that is not there is played with"
 expect "$home/maker.log" "Force Dimension's arm: " "why there is no arm is not told"
 by touch --library "$home/none.so" && fail "a library that is not there is played with"

@@ -55,6 +55,22 @@ TEST_CASE("own arm: one that ends is started again at its port, and both are sai
     CHECK(arm->address() == "127.0.0.1:4711");
 }
 
+TEST_CASE("own arm: that the arm may move by itself is said the first time, and never again") {
+    // It waits only where it is told so the first time, and only where it is not the second.
+    const std::string script =
+        "case \"$*\" in *--initialise*0) echo at 4711; exit 1;; *--initialise*) echo error told "
+        "again;; "
+        "*4711) echo at 4711; exec cat;; *) echo error not told;; esac";
+    const auto arm =
+        value_of(OwnArm::start({"/bin/sh", "-c", script, "arm", "--initialise"}, "The arm"));
+    std::string told;
+    REQUIRE(eventually([&] {
+        told += arm->take_notice();
+        return told.find("The arm is back.") != std::string::npos;
+    }));
+    CHECK(told.find("told again") == std::string::npos);
+}
+
 TEST_CASE("own arm: why one does not come back is said once, however often it is tried") {
     const auto arm = value_of(start("[ \"$2\" = 0 ] && exec echo at 4711; echo error no power"));
     std::string told;

@@ -47,6 +47,23 @@ TEST_CASE("arm device: a pose is as old on the loop's clock as it is on the mach
     CHECK(held.device.write(5.0, {}));
 }
 
+TEST_CASE("arm device: the stamp of a pose never goes back, however late a round reads it") {
+    Held held;
+    held.port->sample.publish({.stamp_s = monotonic_now_s(), .is_there = true});
+    DeviceReading reading;
+    REQUIRE(held.device.read(5.0, reading));
+    const double first_s = reading.stamp_s;
+    // 20 ms pass on the machine's clock, and 1 ms on the loop's.
+    const double until_s = monotonic_now_s() + 0.02;
+    while (monotonic_now_s() < until_s) {
+    }
+    REQUIRE(held.device.read(5.001, reading));
+    CHECK(reading.stamp_s >= first_s);
+    // A clock that begins anew is another one.
+    REQUIRE(held.device.read(0.0, reading));
+    CHECK(reading.stamp_s <= 0.0);
+}
+
 TEST_CASE("arm device: an order counts for the silence and no longer, and none that is no number") {
     Held held;
     CHECK(held.port->wanted_D(monotonic_now_s()).force == Vector3::Zero());
