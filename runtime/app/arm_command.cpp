@@ -1,12 +1,12 @@
-// fulcrum arm: the arm's side of the link with an arm that is simulated, for trying and testing; fulcrum stop.
+// fulcrum arm: the arm's side of the link, with a real arm or with a simulated one for trying and testing; fulcrum stop.
 #include "haptics/base/clock.h"
-#include "haptics/device/arm/simulated_wam.h"
-#include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/link/arm_server.h"
 #include "haptics/link/link_faults.h"
 #include "haptics/loop/realtime_thread.h"
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/own_arm.h"
+#include "runtime/app/served_arm.h"
 #include "runtime/app/site_file.h"
 #include "runtime/app/stop_signal.h"
 #include "runtime/link/arm_key.h"
@@ -42,6 +42,20 @@ std::string read_line_now() {
 bool can_print() {
     pollfd output{STDOUT_FILENO, POLLOUT, 0};
     return ::poll(&output, 1, 0) > 0 && (output.revents & POLLOUT) != 0;
+}
+
+// To a program that this is attached to, in its words (own_arm.h).
+void say_line(std::string_view begin, const std::string& rest) {
+    std::printf("%.*s%s\n", static_cast<int>(begin.size()), begin.data(), rest.c_str());
+    (void)std::fflush(stdout);
+}
+
+// Why there is no arm, to whoever started it.
+int refuse_arm(const Options& options, const Error& error) {
+    if (options.arm.is_attached) {
+        say_line(kArmError, to_sentence(error));
+    }
+    return complain(error, 2);
 }
 
 // Where the hand that holds the arm wants to be: still, or slowly round an upright circle.
@@ -92,23 +106,40 @@ std::string describe(const LinkFaultCounts& counts) {
     return line;
 }
 
-// What is simulated, with a hand that holds it.
-Expected<std::unique_ptr<Device>> make_arm(const ArmOptions& options,
-                                           LatestValue<HandTarget>& target) {
-    if (options.kind == ArmKind::wam) {
-        return SimulatedWam::create({}, target).map([](std::unique_ptr<SimulatedWam>&& wam) {
-            return std::unique_ptr<Device>(std::move(wam));
-        });
+// Whoever is attached to a program ends when that does.
+bool input_ends() {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    char letters[256];
+    return ::poll(&input, 1, 0) > 0 && ::read(STDIN_FILENO, letters, sizeof letters) <= 0;
+}
+
+// What has happened to a real arm.
+std::string take_notice(const ServedArm& arm) {
+    return arm.port != nullptr ? arm.port->take_notice() : std::string();
+}
+
+// The same for a program: it is told what happens, and that this still lives.
+void attend_attached(const ServedArm& arm, LatestValue<HandTarget>& target, const Options& options,
+                     double epoch_s) {
+    constexpr auto kPause = std::chrono::milliseconds(10);
+    double told_s = 0.0;
+    while (!interrupted() && !input_ends()) {
+        const double now_s = monotonic_now_s() - epoch_s;
+        target.publish(hand_at(now_s, options.arm));
+        if (const std::string notice = take_notice(arm); !notice.empty()) {
+            say_line(kArmTold, notice);
+        }
+        if (now_s - told_s >= kArmBeat_s && can_print()) {
+            told_s = now_s;
+            say_line(kArmBeat, {});
+        }
+        std::this_thread::sleep_for(kPause);
     }
-    SimulatedArmSettings settings = make_desktop_arm();
-    settings.max_force_N = kHardForceCap_N;
-    settings.human = kArm;
-    return std::unique_ptr<Device>(std::make_unique<SimulatedArm>(settings, target));
 }
 
 // Until somebody ends it: the hand moves, keys are heard, a line a second says how it goes.
-void attend(ArmServer& server, LatestValue<HandTarget>& target, const Options& options,
-            double epoch_s) {
+void attend(ArmServer& server, const ServedArm& arm, LatestValue<HandTarget>& target,
+            const Options& options, double epoch_s) {
     constexpr auto kPause = std::chrono::milliseconds(10);
     constexpr double kTell_s = 1.0;
     double told_s = 0.0;
@@ -120,6 +151,9 @@ void attend(ArmServer& server, LatestValue<HandTarget>& target, const Options& o
             server.stop();
         } else if (!line.empty()) {
             server.rearm();
+        }
+        if (const std::string notice = take_notice(arm); !notice.empty()) {
+            std::printf("%s\n", notice.c_str());
         }
         if (now_s - told_s >= kTell_s && can_print()) {
             told_s = now_s;
@@ -135,40 +169,32 @@ void attend(ArmServer& server, LatestValue<HandTarget>& target, const Options& o
 int arm_command(const Options& options) {
     const auto key = find_arm_key_file(options.arm.key_file).and_then(load_or_make_arm_key);
     if (!key) {
-        return complain(key.error(), 2);
+        return refuse_arm(options, key.error());
     }
     auto socket = UdpSocket::listen({options.arm.address, options.arm.port});
     if (!socket) {
-        return complain(socket.error(), 2);
+        return refuse_arm(options, socket.error());
     }
     const SodiumSeal seal(*key);
     SodiumNumbers numbers;
     FaultyDatagrams line(options.arm.faults, **socket);
     LatestValue<HandTarget> target;
     target.publish({});
-    auto arm = make_arm(options.arm, target);
+    auto arm = open_served_arm(options.arm, target);
     if (!arm) {
-        return complain(arm.error(), 2);
+        return refuse_arm(options, arm.error());
     }
     // The same limits of this place as at a program.
     const auto site = find_site_limits(options.force_limit_N);
     if (!site) {
-        return complain(site.error(), 2);
+        return refuse_arm(options, site.error());
     }
-    ArmServerSettings settings;
+    ArmServerSettings& settings = arm->settings;
     apply(*site, settings.safety);
-    settings.rate_Hz = options.arm.rate_Hz;
-    // Its sensors do not tremble; and the WAM's friction may take up any push that a lesson gives.
-    settings.sensor.most_m_per_s2 = 300.0;
-    if (options.arm.kind == ArmKind::desktop) {
-        settings.sensor.moves_at_N = 1.5;
-        // 160 by 120 by 70 mm: the workspace of the same data sheet as make_desktop_arm's.
-        settings.reach_m = {0.08, 0.06, 0.035};
-    }
     if (auto good = validate(settings); !good) {
-        return complain(good.error(), 2);
+        return refuse_arm(options, good.error());
     }
-    ArmServer server(settings, **arm, line, seal, numbers);
+    ArmServer server(settings, *arm->device, line, seal, numbers);
     watch_for_stop_signal();
     set_stop_target(&server.stop_switch());
 
@@ -177,17 +203,27 @@ int arm_command(const Options& options) {
     pace.epoch_s = monotonic_now_s();
     RealtimeThread thread;
     if (auto started = thread.start(server, pace); !started) {
-        return complain(started.error(), 2);
+        return refuse_arm(options, started.error());
     }
-    std::printf(
-        "A simulated arm waits at %s:%u. Play with it: ./fulcrum run gravity --hand udp:%s:%u\n"
-        "Enter lifts a stop, s and Enter presses it, Ctrl-C ends.\n",
-        options.arm.address.c_str(), (*socket)->port(), options.arm.address.c_str(),
-        (*socket)->port());
-    (void)std::fflush(stdout);
-    attend(server, target, options, pace.epoch_s);
+    if (options.arm.is_attached) {
+        say_line(kArmNamed, arm->device->traits().name);
+        say_line(kArmAt, std::to_string((*socket)->port()));
+        attend_attached(*arm, target, options, pace.epoch_s);
+    } else {
+        std::printf(
+            "%s waits at %s:%u. Play with it: ./fulcrum run gravity --hand "
+            "udp:%s:%u\nEnter lifts a stop, s and Enter presses it, Ctrl-C ends.\n",
+            arm->port != nullptr ? arm->device->traits().name.c_str() : "A simulated arm",
+            options.arm.address.c_str(), (*socket)->port(), options.arm.address.c_str(),
+            (*socket)->port());
+        (void)std::fflush(stdout);
+        attend(server, *arm, target, options, pace.epoch_s);
+    }
     thread.stop();
     set_stop_target(nullptr);
+    if (options.arm.is_attached) {
+        return interrupt_exit_code();
+    }
     std::printf("At the end: %s\n%s\n", describe(server.status()).c_str(),
                 describe(line.counts()).c_str());
     return interrupt_exit_code();

@@ -1,6 +1,7 @@
 #include "runtime/app/commands.h"
 
 #include "haptics/device/hid/hidapi/hidapi_bus.h"
+#include "runtime/app/arm_search.h"
 #include "runtime/app/device_list.h"
 #include "runtime/app/felt_notes.h"
 #include "runtime/app/headless.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -324,7 +326,8 @@ int report_command(const Options& options) {
 
 int devices_command(const Options& options) {
     const auto bus = hid::make_hidapi_bus();
-    const auto entries = list_devices(bus->list(), display_available());
+    auto entries = list_devices(bus->list(), display_available());
+    std::ranges::move(find_makers_arms(), std::back_inserter(entries));
     const std::string text = options.json ? devices_json(entries) : devices_text(entries);
     std::fputs(text.c_str(), stdout);
     if (const auto why = bus->why_never()) {

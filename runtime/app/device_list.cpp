@@ -95,8 +95,8 @@ std::vector<DeviceEntry> list_devices(const std::vector<hid::HidNode>& nodes, bo
 std::string devices_text(const std::vector<DeviceEntry>& entries) {
     std::string text;
     for (const DeviceEntry& entry : entries) {
-        text += entry.name + (entry.ids.empty() ? "" : " (" + entry.ids + ")") + ": " +
-                abilities_of(entry) + ".";
+        text += entry.name + (entry.ids.empty() ? "" : " (" + entry.ids + ")") +
+                (entry.axes > 0 ? ": " + abilities_of(entry) : "") + ".";
         text += entry.usable ? "  --hand " + entry.hand + "\n" : "\n";
         if (!entry.missing.empty()) {
             text += "    " + (entry.path.empty() ? "" : entry.path + ": ") + entry.missing +

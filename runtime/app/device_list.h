@@ -11,7 +11,7 @@ namespace fulcrum::runtime {
 /// One thing that can be a hand, or could be if something were mended.
 struct DeviceEntry {
     std::string name;
-    std::string kind;  ///< mouse, simulated hand, space mouse, joystick, unknown
+    std::string kind;  ///< mouse, simulated hand, space mouse, joystick, unknown, arm
     std::string path;  ///< of a HID device
     std::string ids;   ///< vendor:product, likewise
     std::string hand;  ///< what --hand takes for it

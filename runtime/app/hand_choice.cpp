@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::string_view kReplay = "replay:";
 constexpr std::string_view kLink = "udp:";
+// A WAM's server waits where `fulcrum arm` does, unless it is told otherwise.
+constexpr std::string_view kWam = "wam:";
+constexpr std::string_view kWamPort = ":4701";
 
 Expected<HandChoice> read_replay(const std::string& word) {
     HandChoice choice;
@@ -67,10 +70,18 @@ Expected<HandChoice> read_hand(const std::string& word, bool in_window,
     if (asks_for_hid(word)) {
         return read_hid(word);
     }
-    if (word.starts_with(kLink)) {
+    const auto* const own_arm = std::ranges::find(kOwnArms, word, &OwnArmKind::word);
+    if (own_arm != kOwnArms.end()) {
+        choice.hand = HandKind::link;
+        choice.own_arm = own_arm;
+        choice.key_file = key_file;
+    } else if (word.starts_with(kLink) || word.starts_with(kWam)) {
         choice.hand = HandKind::link;
         choice.hand_address = word.substr(kLink.size());
         choice.key_file = key_file;
+        if (word.starts_with(kWam) && choice.hand_address.find(':') == std::string::npos) {
+            choice.hand_address += kWamPort;
+        }
     } else if (word == "mouse" || word == "keys") {
         choice.hand = word == "mouse" ? HandKind::mouse : HandKind::keys;
         if (!in_window) {
@@ -84,9 +95,9 @@ Expected<HandChoice> read_hand(const std::string& word, bool in_window,
         choice.hand_file = word;
     } else {
         return fail("there is no hand \"" + word + "\"", "",
-                    "give --hand mouse, hid, udp:HOST:PORT, replay:FILE, a Lua file's name, or for "
-                    "a second "
-                    "hand keys or none");
+                    "give --hand mouse, hid, haply, touch, fd, simulated, udp:HOST:PORT, wam:HOST, "
+                    "replay:FILE, a Lua "
+                    "file's name, or for a second hand keys or none");
     }
     return choice;
 }
@@ -148,7 +159,8 @@ std::string name_of(const HandChoice& choice) {
         case HandKind::hid:
             return "hid:" + choice.hid.node.path;
         case HandKind::link:
-            return std::string(kLink) + choice.hand_address;
+            return choice.own_arm != nullptr ? std::string(choice.own_arm->word)
+                                             : std::string(kLink) + choice.hand_address;
         case HandKind::keys:
             return "keys";
         case HandKind::none:

@@ -10,17 +10,21 @@
 
 #include "haptics/base/error.h"
 #include "haptics/link/spoiled_arm.h"
+#include "runtime/app/arm_kind.h"
 #include "runtime/app/hid_hands.h"
 #include "runtime/app/played_by.h"
 #include "runtime/scene/description.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace fulcrum::runtime {
+
+class OwnArm;
 
 /// `keys`: a pointer of its own that keys move; `none`: nobody is there.
 enum class HandKind : std::uint8_t { scripted, mouse, replay, hid, link, keys, none };
@@ -39,6 +43,11 @@ struct HandChoice {
     HidChoice hid{};           ///< the device of HandKind::hid
     std::string hand_address;  ///< link: HOST:PORT of the arm
     std::string key_file;      ///< link: empty for the default place
+    /// Link: an arm at this computer, which the run starts; then the address is found. Null: another's.
+    const OwnArmKind* own_arm = nullptr;
+    std::vector<std::string> arm_words;   ///< what its process is told besides
+    std::shared_ptr<OwnArm> started_arm;  ///< that process, once it was met (arm_line.h)
+    std::string arm_name;  ///< link: what the arm calls itself, model and serial, once it was met
     /// Scripted: the hand holds an arm at the other end of a link, on which things break by this seed.
     std::optional<std::uint64_t> spoil_seed;
     SpoiledModel spoil_model = SpoiledModel::desktop;  ///< which arm that is
@@ -52,7 +61,7 @@ enum class HandsThere : std::uint8_t {
     nobody,
 };
 
-/// Reads a word of --hand: FILE.lua, mouse, keys, hid, hid:PATH, udp:HOST:PORT, replay:FILE, none. Refuses what is not there.
+/// Reads a word of --hand: FILE.lua, mouse, keys, hid, hid:PATH, haply, touch, fd, simulated, udp:HOST:PORT, wam:HOST, replay:FILE, none. Refuses what is not there.
 [[nodiscard]] Expected<HandChoice> read_hand(const std::string& word, bool in_window,
                                              const std::string& key_file);
 

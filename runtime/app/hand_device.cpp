@@ -9,8 +9,6 @@
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/link_words.h"
-#include "runtime/link/arm_key.h"
-#include "runtime/link/udp_socket.h"
 
 #include <algorithm>
 #include <charconv>
@@ -24,7 +22,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr double kGreeting_s = 3.0;
 constexpr double kMeasured_s = 0.1;
 
 // Of the way for which walls were made: what its margin of a tenth and its whole milliseconds do not cover.
@@ -72,14 +69,6 @@ double measure_way_s(LinkDevice& device, double began_s) {
 
 }  // namespace
 
-struct ArmLine {
-    ArmLine(std::unique_ptr<UdpSocket> opened, const ArmKey& key)
-        : socket(std::move(opened)), seal(key) {}
-    std::unique_ptr<UdpSocket> socket;
-    SodiumSeal seal;
-    SodiumNumbers numbers;
-};
-
 HandDevice::HandDevice(const HapticPlan& plan)
     : workspace_(plan.workspace), safety_(plan.safety), pointer_W_(plan.workspace.pose_WD) {}
 
@@ -99,7 +88,7 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
         !is_tried(request.fit, kAsked, hand->device_->traits().name)) {
         hand->fitted_->give_part(kUntriedPart);
     }
-    if (hand->hid_ == nullptr || !mouse_is_free(request)) {
+    if (hand->points() || !mouse_is_free(request)) {
         return hand;
     }
     return hand->make_pointer(request.yield).map([&](std::unique_ptr<PointerDevice>&& pointer) {
@@ -213,20 +202,11 @@ void HandDevice::keep_limits(const SafetySettings& run) {
 
 // The arm must say what it is before anything is built for it.
 Expected<void> HandDevice::link(const HandChoice& request) {
-    const auto address = parse_host_port(request.hand_address);
-    if (!address) {
-        return tl::unexpected(address.error());
+    auto line = ArmLine::open(request);
+    if (!line) {
+        return tl::unexpected(line.error());
     }
-    const auto file = find_arm_key_file(request.key_file);
-    const auto key = file.and_then(load_or_make_arm_key);
-    if (!key) {
-        return tl::unexpected(key.error());
-    }
-    auto socket = UdpSocket::connect(*address);
-    if (!socket) {
-        return tl::unexpected(socket.error());
-    }
-    line_ = std::make_unique<ArmLine>(std::move(*socket), *key);
+    line_ = std::move(*line);
     LinkDeviceSettings settings;
     settings.max_force_N = safety_.max_force_N;
     settings.max_torque_Nm = safety_.max_torque_Nm;
@@ -234,16 +214,12 @@ Expected<void> HandDevice::link(const HandChoice& request) {
     if (auto good = validate(settings); !good) {
         return good;
     }
-    auto device =
-        std::make_unique<LinkDevice>(settings, *line_->socket, line_->seal, line_->numbers);
     const double began_s = monotonic_now_s();
-    while (!device->greet(monotonic_now_s() - began_s)) {
-        if (monotonic_now_s() - began_s > kGreeting_s || interrupted()) {
-            return tl::unexpected(explain_silence(device->status(), line_->socket->was_refused(),
-                                                  request.hand_address, file->string()));
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    auto greeted = line_->greet(settings, began_s);
+    if (!greeted) {
+        return tl::unexpected(greeted.error());
     }
+    std::unique_ptr<LinkDevice> device = std::move(*greeted);
     link_s_ = measure_way_s(*device, began_s);
     // The run has a clock of its own.
     device->part();
@@ -312,10 +288,12 @@ std::optional<Vector3> HandDevice::true_velocity_W() const {
 }
 
 std::string HandDevice::take_notice() {
-    std::string notice = hid_ != nullptr ? hid_->take_notice() : std::string();
+    std::string notice = hid_ != nullptr        ? hid_->take_notice()
+                         : own_arm() != nullptr ? own_arm()->take_notice()
+                                                : std::string();
     if (stands_in() != std::exchange(told_stand_in_, stands_in())) {
         notice += (notice.empty() ? "" : " ") +
-                  std::string(stands_in() ? "The mouse moves the hand until it is plugged in again."
+                  std::string(stands_in() ? "The mouse moves the hand until it is there again."
                                           : "It moves the hand again; its force comes softly.");
     }
     if (linked_ != nullptr) {

@@ -13,6 +13,7 @@
 #include "haptics/link/link_device.h"
 #include "haptics/link/spoiled_arm.h"
 #include "haptics/loop/haptic_plan.h"
+#include "runtime/app/arm_line.h"
 #include "runtime/app/run_request.h"
 #include "runtime/lesson/first_use.h"
 
@@ -21,8 +22,6 @@
 #include <string>
 
 namespace fulcrum::runtime {
-
-struct ArmLine;  // hand_device.cpp: socket, seal, numbers
 
 class HandDevice {
   public:
@@ -106,6 +105,9 @@ class HandDevice {
     [[nodiscard]] Expected<void> link(const HandChoice& request);
     void spoil(const RunRequest& request);
     [[nodiscard]] double planned_link_s() const;
+    [[nodiscard]] OwnArm* own_arm() const noexcept {
+        return line_ != nullptr ? line_->own_arm().get() : nullptr;
+    }
     [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer(double yield);
 
     HandKind kind_ = HandKind::none;
@@ -124,7 +126,7 @@ class HandDevice {
     FittedDevice* fitted_ = nullptr;    // around an arm or a HID device
     AxisOrder axes_{};                  // as it is set there
     StandInDevice* stand_in_ =
-        nullptr;  // around a HID device, where the mouse has nothing else to move
+        nullptr;  // around an arm or a HID device, where the mouse has nothing else to move
     bool told_stand_in_ = false;
     bool told_too_long_ = false;
     bool told_slower_ = false;

@@ -12,18 +12,52 @@ namespace {
 constexpr int kUsualClutch = 3;
 constexpr const char* kNotGood = "not good";
 
+std::string name_of_kind(const hid::HidNode& node) {
+    std::array<char, 16> ids{};
+    std::snprintf(ids.data(), ids.size(), "%04x:%04x", node.vendor, node.product);
+    return std::string("hid:") + ids.data();
+}
+
+std::string with(std::string name, const std::string& more) {
+    return more.empty() ? name : std::move(name) + " " + more;
+}
+
+// Whether anything is kept of the device itself; which hand somebody writes with is not of one.
+bool is_of_a_device(HandFit fit) {
+    fit.left_handed.reset();
+    return !words_of(fit).empty();
+}
+
+// By which name settings were kept before devices had names of their own: an address, or a kind.
+std::string name_before(const RunRequest& request) {
+    return request.hand == HandKind::link  ? name_of(request)
+           : request.hand == HandKind::hid ? name_of_kind(request.hid.node)
+                                           : name_device(request);
+}
+
+// What is kept under the name that it had before, for the device that it is of: an address is the arm's that was tried there; of a kind
+// the verdict is nobody's.
+HandFit fit_before(const RunRequest& request, const HandFit& kept) {
+    const bool is_its_own = kept.checked.empty() || request.hand == HandKind::hid ||
+                            kept.checked.ends_with(" " + request.arm_name);
+    HandFit fit = is_its_own ? kept : HandFit{};
+    if (request.hand == HandKind::hid) {
+        fit.checked.clear();
+    }
+    return fit;
+}
+
 }  // namespace
 
 std::string name_device(const RunRequest& request) {
     switch (request.hand) {
         case HandKind::link:
-            return "udp:" + request.hand_address;
-        case HandKind::hid: {
-            std::array<char, 16> ids{};
-            std::snprintf(ids.data(), ids.size(), "%04x:%04x", request.hid.node.vendor,
-                          request.hid.node.product);
-            return std::string("hid:") + ids.data();
-        }
+            // One that the run starts is that arm wherever it is plugged in; what another computer calls itself says no serial.
+            return request.own_arm != nullptr && !request.arm_name.empty()
+                       ? "arm " + request.arm_name
+                       : with(name_of(request), request.arm_name);
+        case HandKind::hid:
+            return with(name_of_kind(request.hid.node), request.hid.node.serial);
         case HandKind::mouse:
             return "mouse";
         case HandKind::keys:
@@ -89,7 +123,13 @@ RunRequest with_kept_fit(const RunRequest& request, ProgressStore& store) {
     }
     // Who is not known yet has nothing kept; a name that cannot be one is refused where it is enrolled.
     if (const auto learner = store.enrol(request.learner)) {
-        const KeptFit kept = read_fit(store, *learner, name_device(request));
+        const std::string name = name_device(request);
+        KeptFit kept = read_fit(store, *learner, name);
+        if (const std::string before = name_before(request);
+            before != name && !is_of_a_device(kept.fit)) {
+            kept.fit = join(kept.fit, fit_before(request, read_fit(store, *learner, before).fit));
+            (void)keep_fit(store, *learner, name, kept.fit);
+        }
         for (const std::string& notice : kept.notices) {
             say(notice);
         }

@@ -20,7 +20,8 @@ namespace fulcrum::runtime {
 
 inline constexpr double kUsualReach_m = 0.2;
 
-/// Which device this is, as its settings are kept: udp:HOST:PORT, hid:VENDOR:PRODUCT, mouse, simulated hand; empty for a record.
+/// Which device this is, as its settings are kept: "arm MODEL SERIAL" of one at this computer, "udp:HOST:PORT NAME", "hid:VENDOR:PRODUCT SERIAL",
+/// mouse, simulated hand; empty for a record. An arm that was not met yet has no name behind its address.
 [[nodiscard]] std::string name_device(const RunRequest& request);
 
 /// The clutch's button where nobody says one: of an arm the third, for lessons use two.
@@ -49,7 +50,8 @@ inline constexpr double kUntriedPart = 1.0 / 3.0;
 /// True for who has a name of their own, so that something can be kept of them: no guest, no simulated pupil, no record.
 [[nodiscard]] bool is_somebody(const RunRequest& request);
 
-/// The request with what is kept of its learner and device; what cannot be used is told on the terminal.
+/// The request with what is kept of its learner and device, also under the name that the device had before (an address or a kind alone), which
+/// is kept under its own then; what cannot be used is told on the terminal.
 [[nodiscard]] RunRequest with_kept_fit(const RunRequest& request, ProgressStore& store);
 
 /// Keeps what the request itself says of its learner and device; nothing for a guest. What goes wrong is told.

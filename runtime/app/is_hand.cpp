@@ -3,15 +3,9 @@
 #include "haptics/device/hid/hid_ability.h"
 
 #include <array>
-#include <charconv>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <grp.h>
-#include <iterator>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <unistd.h>
 #include <vector>
 
@@ -27,30 +21,6 @@ bool give_up_rights() {
             setresuid(kNobody, kNobody, kNobody) == 0);
 }
 
-std::optional<std::uint16_t> read_number(std::string_view text) {
-    std::uint32_t number = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number, 16);
-    if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || number > 0xFFFF) {
-        return std::nullopt;
-    }
-    return static_cast<std::uint16_t>(number);
-}
-
-// Of the line "HID_ID=0003:0000046D:0000C626": bus, vendor, product.
-void read_ids(const std::filesystem::path& file, fulcrum::hid::HidNode& node) {
-    constexpr std::string_view kIds = "HID_ID=";
-    std::ifstream lines(file);
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t vendor = line.find(':');
-        const std::size_t product = line.rfind(':');
-        if (line.starts_with(kIds) && vendor < product) {
-            const std::string_view text = line;
-            node.vendor = read_number(text.substr(vendor + 1, product - vendor - 1)).value_or(0);
-            node.product = read_number(text.substr(product + 1)).value_or(0);
-        }
-    }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -59,7 +29,6 @@ int main(int argc, char** argv) {
     }
     const std::filesystem::path device = std::filesystem::path(argv[1]) / "device";
     fulcrum::hid::HidNode node;
-    read_ids(device / "uevent", node);
     std::ifstream file(device / "report_descriptor", std::ios::binary);
     std::array<char, kMostDescriptorBytes> bytes{};
     file.read(bytes.data(), bytes.size());

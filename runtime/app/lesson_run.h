@@ -131,7 +131,8 @@ class LessonRun {
   private:
     LessonRun() = default;
     // In this order.
-    [[nodiscard]] Expected<void> load(const Places& places, RunRequest& request);
+    [[nodiscard]] Expected<void> load(const Places& places, ProgressStore& store,
+                                      RunRequest& request);
     [[nodiscard]] Expected<void> build_loops(const RunOrder& order);
     [[nodiscard]] Expected<void> build_session(const RunOrder& order, ProgressStore& store,
                                                const dialogue::Catalogue& catalogue);

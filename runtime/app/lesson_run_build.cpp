@@ -1,4 +1,5 @@
 // How a run comes about; for lesson_run.h.
+#include "runtime/app/arm_line.h"
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/hand_trial.h"
 #include "runtime/app/kept_feedback.h"
@@ -24,17 +25,19 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
     if (!whole) {
         return tl::unexpected(whole.error());
     }
-    RunRequest settled = with_kept_feedback(with_kept_fit(*whole, store), store);
+    RunRequest settled = with_kept_feedback(*whole, store);
     const RunOrder order{places, settled};
     const auto built =
-        run->load(places, settled)
+        run->load(places, store, settled)
             .and_then([&] { return open_hands(order, store, run->plan_, run->hands_); })
             .and_then([&] { return run->build_loops(order); })
             .and_then([&] { return run->build_session(order, store, catalogue); });
     if (!built) {
         return tl::unexpected(built.error());
     }
-    keep_fit_of(request, store);
+    RunRequest said = request;
+    static_cast<HandChoice&>(said) = settled;
+    keep_fit_of(said, store);
     for (std::size_t hand = 1; hand < run->hands_.size(); ++hand) {
         keep_fit_of(of_hand(settled, hand), store);
     }
@@ -42,13 +45,17 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
 }
 
 // The lesson says what it needs, and the plan holds exactly that.
-Expected<void> LessonRun::load(const Places& places, RunRequest& request) {
+Expected<void> LessonRun::load(const Places& places, ProgressStore& store, RunRequest& request) {
     auto started = start_lesson(places, request);
     if (!started) {
         return tl::unexpected(started.error());
     }
     process_ = std::move(started->process);
     started_notices_ = std::move(started->notices);
+    if (auto met = meet_arms(request); !met) {
+        return met;
+    }
+    request = with_kept_fit(request, store);
     return check_models(places, request.folder, process_->description()).and_then([&] {
         return plan_.compile({places, request}, process_->description());
     });

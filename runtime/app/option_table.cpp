@@ -2,6 +2,7 @@
 
 #include "dialogue/result.h"
 #include "haptics/device/mouse/pointer_device.h"
+#include "runtime/arms/dhd/dhd_port.h"
 #include "runtime/files/line_program.h"
 #include "runtime/lesson/learner_feedback.h"
 #include "runtime/scene/lesson_limits.h"
@@ -232,8 +233,9 @@ std::span<const OptionRow> option_rows() {
         {"--headless", "", of(run, explain), put<&Options::headless>,
          "without a window, faster than real time, repeatable to the byte; tells what is said"},
         {"--real-time", "", of(run), put<&Options::real_time>, "with --headless: as fast as it is"},
-        {"--hand", "FILE.lua|mouse|keys|hid|hid:PATH|udp:HOST:PORT|replay:FILE|none", of(run, test, explain), add_hand,
-         R"(what moves the hand, once a hand (by what is there). udp: an arm on another computer, or fulcrum arm on this one. replay: a run
+        {"--hand", "FILE.lua|mouse|keys|hid|hid:PATH|haply|touch|fd|simulated|udp:HOST:PORT|wam:HOST|replay:FILE|none", of(run, test, explain), add_hand,
+         R"(what moves the hand, once a hand (by what is there). haply, touch: those arms. fd: Force Dimension's arm, or the Falcon. simulated: one of our own. udp, wam: an arm on
+         another computer, or fulcrum arm on this one; wam waits at port 4701. replay: a run
          that --record wrote, with its keys, answers and seed; --headless says whether every force is the same to the bit, and if not, where
          first and why. A test takes a FILE.lua)"},
         {"--key", "FILE", of(run, arm), set_key, "what an arm on the network shares with the program; behind a second --hand that arm's"},
@@ -321,7 +323,16 @@ std::span<const OptionRow> option_rows() {
         {"--port", "N", of(arm), put<kArm, &ArmOptions::port>, "where it waits (4701); 0: at any port that is free", 0.0, 65535.0},
         {"--address", "A", of(arm), put<kArm, &ArmOptions::address>, "likewise (127.0.0.1)"},
         {"--rate", "N", of(arm), put<kArm, &ArmOptions::rate_Hz>, "rounds a second (1000)", 500.0, 2000.0},
-        {"--arm", "wam|desktop", of(arm), put<kArm, &ArmOptions::kind>, "Barrett's WAM of seven joints, or three axes on a desk (wam)"},
+        {"--arm", "wam|desktop|haply|touch|fd", of(arm), put<kArm, &ArmOptions::kind>,
+         R"(simulated: Barrett's WAM of seven joints, or three axes on a desk (wam); real: Haply's by its service, 3D Systems' Touch, and Force
+         Dimension's and the Falcon, by their makers' libraries)"},
+        {"--library", "FILE", of(run, arm), put<kArm, &ArmOptions::library>, "the library of the arm's maker, where it lies in no usual place"},
+        {"--service-port", "N", of(run, arm), put<kArm, &ArmOptions::service_port>, "where Haply's service waits at this computer (10001)", 1.0, 65535.0},
+        {"--device", "ID", of(run, arm), put<kArm, &ArmOptions::device_id>, "which of several Haply arms, such as 049D"},
+        {"--log", "FILE", of(run, arm), put<kArm, &ArmOptions::log_file>, "keeps what Haply's service says, as it comes"},
+        {kInitialiseOption, "", of(run, arm), put<kArm, &ArmOptions::may_initialise>,
+         "nobody holds the arm and nothing is near it: it may move by itself to find its zero"},
+        {"--attached", "", of(arm), put<kArm, &ArmOptions::is_attached>, "for programs: ends when its input does; says in lines where it waits and what happens"},
         {"--motion", "still|circle", of(arm), put<kArm, &ArmOptions::motion>, "what the hand does that holds it (still)"},
         {"--loss", "P", of(arm), put<kArm, kFaults, &LinkFaults::loss>, "per cent of the packets that are lost (0)", 0.0, 100.0},
         {"--burst", "N", of(arm), put<kArm, kFaults, &LinkFaults::burst>, "so many in a row (1)", 1.0, 1000.0},

@@ -4,6 +4,7 @@
 #include "dialogue/marking/feedback_ladder.h"
 #include "haptics/base/error.h"
 #include "haptics/link/link_faults.h"
+#include "runtime/app/arm_kind.h"
 #include "runtime/app/played_by.h"
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/lesson/hand_fit.h"
@@ -43,10 +44,7 @@ enum class FirstUseTrial : std::uint8_t { once, again, never };
 /// What the hand does that holds a simulated arm.
 enum class ArmMotion : std::uint8_t { still, circle };
 
-/// Which arm is simulated: Barrett's WAM of seven joints, or three axes on a desk.
-enum class ArmKind : std::uint8_t { wam, desktop };
-
-/// Of `fulcrum arm`.
+/// Of `fulcrum arm`, and of the arm that a run starts.
 struct ArmOptions {
     std::string address = "127.0.0.1";
     std::uint16_t port = 4701;
@@ -54,7 +52,14 @@ struct ArmOptions {
     double rate_Hz = 1000.0;
     ArmKind kind = ArmKind::wam;
     ArmMotion motion = ArmMotion::still;
+    bool is_attached =
+        false;  ///< to a program: it ends with its input, and speaks as own_arm.h says
     LinkFaults faults{};
+    std::uint16_t service_port = 10001;  ///< of Haply's service
+    std::string device_id;               ///< of Haply's arm; empty: the only one
+    std::string log_file;         ///< where what Haply's service says is kept; empty: nowhere
+    std::string library;          ///< of a real arm's maker: where it lies; empty: its usual places
+    bool may_initialise = false;  ///< somebody has said that the arm may move by itself once
 };
 
 /// Everything the command line can say: option_table.h says what each option means and may be. Fields that a command does not use are

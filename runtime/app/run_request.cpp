@@ -4,6 +4,7 @@
 #include "haptics/record/record_reader.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/speech/speech_parts.h"
+#include "runtime/arms/dhd/dhd_port.h"
 #include "runtime/files/line_program.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/lesson/talk.h"
@@ -43,6 +44,24 @@ std::string key_file_of(const Options& options, std::size_t hand) {
                                               : std::string();
 }
 
+// What was said of a real arm, for the process that serves it.
+std::vector<std::string> words_for_arm(const ArmOptions& arm) {
+    std::vector<std::string> words;
+    const auto say = [&](const char* option, const std::string& value) {
+        if (!value.empty()) {
+            words.insert(words.end(), {option, value});
+        }
+    };
+    say("--service-port", std::to_string(arm.service_port));
+    say("--device", arm.device_id);
+    say("--log", arm.log_file);
+    say("--library", arm.library);
+    if (arm.may_initialise) {
+        words.emplace_back(kInitialiseOption);
+    }
+    return words;
+}
+
 // Whose hands: what was asked for, else the mouse in a window and the lesson's own simulated hands without.
 Expected<void> choose_hands(const Options& options, bool in_window, RunRequest& request) {
     request.hands_there = in_window               ? HandsThere::desk
@@ -55,6 +74,7 @@ Expected<void> choose_hands(const Options& options, bool in_window, RunRequest& 
         if (!choice) {
             return tl::unexpected(choice.error());
         }
+        choice->arm_words = words_for_arm(options.arm);
         if (i == 0) {
             first = std::move(*choice);
         } else {

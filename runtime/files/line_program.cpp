@@ -18,7 +18,8 @@ std::vector<std::string> shell_line(const std::string& line) {
     return {"/bin/sh", "-c", line};
 }
 
-Expected<std::unique_ptr<LineProgram>> LineProgram::start(const std::vector<std::string>& words) {
+Expected<std::unique_ptr<LineProgram>> LineProgram::start(const std::vector<std::string>& words,
+                                                          const std::vector<std::string>& kept) {
     if (words.empty() || words.front().empty()) {
         return fail("no program is named", {}, "name one");
     }
@@ -30,7 +31,7 @@ Expected<std::unique_ptr<LineProgram>> LineProgram::start(const std::vector<std:
     if (error == 0) {
         made->socket_ = ends[0];
         fcntl(made->socket_, F_SETFL, O_NONBLOCK);
-        error = made->program_.start(words, ends[1], ends[1]);
+        error = made->program_.start(words, ends[1], ends[1], kept);
         close(ends[1]);
     }
     if (error != 0) {
@@ -129,6 +130,15 @@ void LineProgram::read_some() {
             return;
         }
         goes_on = line_end == std::string::npos;
+    }
+}
+
+void LineProgram::finish(double patience_s) {
+    if (trouble_.empty()) {
+        write_some();
+        (void)shutdown(socket_, SHUT_WR);
+        (void)program_.ends_well(monotonic_now_s() + patience_s);
+        end("was ended");
     }
 }
 

@@ -25,9 +25,9 @@ namespace fulcrum::runtime {
 
 class LineProgram {
   public:
-    /// `words` as for StartedProgram. An error when the system cannot start it.
+    /// `words` and `kept` as for StartedProgram. An error when the system cannot start it.
     [[nodiscard]] static Expected<std::unique_ptr<LineProgram>> start(
-        const std::vector<std::string>& words);
+        const std::vector<std::string>& words, const std::vector<std::string>& kept = {});
     LineProgram(const LineProgram&) = delete;
     LineProgram& operator=(const LineProgram&) = delete;
     ~LineProgram();
@@ -40,6 +40,8 @@ class LineProgram {
     [[nodiscard]] std::optional<std::string> wait(double patience_s);
     /// Ends it; `why` goes on from "the program x": "says too much".
     void end(const std::string& why);
+    /// Ends its input and waits at most so long for it to end by itself, then ends it.
+    void finish(double patience_s);
     /// Why it says nothing any more, or empty.
     [[nodiscard]] const std::string& trouble() const { return trouble_; }
 

@@ -2,14 +2,14 @@
 
 #include "haptics/base/clock.h"
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <fcntl.h>
 #include <sched.h>
 #include <signal.h>
 #include <spawn.h>
+#include <string_view>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -17,15 +17,15 @@
 namespace fulcrum::runtime {
 namespace {
 
-std::vector<std::string> passed_environment() {
-    constexpr std::array kPassed{"PATH=",         "LD_LIBRARY_PATH=", "ESPEAK_DATA_PATH=",
-                                 "ASAN_OPTIONS=", "UBSAN_OPTIONS=",   "TSAN_OPTIONS="};
+std::vector<std::string> passed_environment(std::vector<std::string> begins) {
+    begins.insert(begins.end(), {"PATH=", "LD_LIBRARY_PATH=", "ESPEAK_DATA_PATH=", "ASAN_OPTIONS=",
+                                 "UBSAN_OPTIONS=", "TSAN_OPTIONS="});
     std::vector<std::string> passed;
     for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
-        for (const char* prefix : kPassed) {
-            if (std::strncmp(*entry, prefix, std::strlen(prefix)) == 0) {
-                passed.emplace_back(*entry);
-            }
+        if (std::ranges::any_of(begins, [&](const std::string& begin) {
+                return std::string_view(*entry).starts_with(begin);
+            })) {
+            passed.emplace_back(*entry);
         }
     }
     return passed;
@@ -72,9 +72,10 @@ void StartedProgram::end() {
     }
 }
 
-int StartedProgram::start(const std::vector<std::string>& words, int input, int output) {
+int StartedProgram::start(const std::vector<std::string>& words, int input, int output,
+                          const std::vector<std::string>& kept) {
     std::vector<std::string> arguments = words;
-    std::vector<std::string> environment = passed_environment();
+    std::vector<std::string> environment = passed_environment(kept);
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     posix_spawn_file_actions_init(&actions);

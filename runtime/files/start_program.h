@@ -25,8 +25,10 @@ class StartedProgram {
     ~StartedProgram();
 
     /// `words`: the program's name or path, then its arguments. `input`: a descriptor, below 0 for an empty one; both stay the caller's to
-    /// close. 0, or the system's number for what went wrong. Once.
-    [[nodiscard]] int start(const std::vector<std::string>& words, int input, int output);
+    /// close. `kept`: how further entries of the environment begin that it gets, "HOME=". 0, or the system's number for what went
+    /// wrong. Once.
+    [[nodiscard]] int start(const std::vector<std::string>& words, int input, int output,
+                            const std::vector<std::string>& kept = {});
     /// Kills it with all that it started, and waits for its end; nothing where it has ended.
     void end();
     /// Whether it ends by itself until then, on the monotonic clock, and well.

@@ -32,6 +32,7 @@ hidraw() {
 {
     hidraw 0 046D C626 SpaceNavigator space_mouse_two
     hidraw 1 1234 BEEF "Force stick" force_stick_0
+    hidraw 2 F00D C0DE "Self-built mouse" space_mouse_one
 } >"$folder/machine.umockdev"
 # listed WORDS…: what the program says of that machine.
 listed() {
@@ -42,6 +43,7 @@ says() { grep -qF -- "$2" <<<"$1" || { echo "never said: $2"; echo "$1"; exit 1;
 all=$(listed devices)
 says "$all" "SpaceNavigator (046d:c626): 6 axes, 2 buttons, no force: it is shown and heard.  --hand hid:/dev/hidraw0"
 says "$all" "Force stick (1234:beef): 3 axes, 8 buttons, force along 2 axes.  --hand hid:/dev/hidraw1"
+says "$all" "Self-built mouse (f00d:c0de): 6 axes, 2 buttons, no force: it is shown and heard.  --hand hid:/dev/hidraw2"
 says "$all" "simulated hand"
 says "$(listed devices --json)" '"udev_file": "/etc/udev/rules.d/70-fulcrum.rules"'
 

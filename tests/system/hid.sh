@@ -93,7 +93,7 @@ wait_for "$name has gone; plug it in again, and the lesson goes on with it."
 [[ $kind == cap ]] || [[ $(ask still) == still ]]
 wait_until "the lesson goes on without it" '1'
 # The mouse moves the hand meanwhile: to the upper left.
-wait_for "The mouse moves the hand until it is plugged in again."
+wait_for "The mouse moves the hand until it is there again."
 xdotool mousemove 200 60
 wait_until "the mouse moves the hand" '$2 < -0.05 && $3 > 0.05'
 tell push 0 0 0

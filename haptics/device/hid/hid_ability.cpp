@@ -1,7 +1,5 @@
 #include "haptics/device/hid/hid_ability.h"
 
-#include "haptics/device/hid/space_mouse.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -9,28 +7,18 @@
 namespace fulcrum::hid {
 namespace {
 
-constexpr Usage kMultiAxis = usage_of(0x01, 0x08);
 constexpr std::array<Usage, 2> kSticks{usage_of(0x01, 0x04), usage_of(0x01, 0x05)};
-constexpr Usage kFirstPush = usage_of(0x01, 0x30);
-constexpr std::uint16_t kButtonPage = 0x09;
-constexpr double kLeastCap = 100.0;  // less than this is no range of a cap
 
-// The number that X gives at the end of its way.
-double find_full_cap(const ReportDescriptor& descriptor) {
-    for (const ReportField& field : descriptor.fields()) {
-        if (field.type == ReportType::input && field.usage == kFirstPush &&
-            static_cast<double>(field.logical_max) >= kLeastCap && field.bit_size == 16) {
-            return static_cast<double>(field.logical_max);
-        }
+void find_cap(HidAbility& ability) {
+    auto cap = Cap::find(ability.descriptor);
+    if (!cap) {
+        ability.missing = cap.error().message;
+        return;
     }
-    return kFullCap;
-}
-
-int count_buttons(const ReportDescriptor& descriptor) {
-    const auto& fields = descriptor.fields();
-    return static_cast<int>(std::count_if(fields.begin(), fields.end(), [](const ReportField& f) {
-        return f.type == ReportType::input && !f.is_array && f.usage >> 16U == kButtonPage;
-    }));
+    ability.form = HandForm::space_mouse;
+    ability.n_axes = cap->n_axes();
+    ability.n_buttons = cap->n_buttons();
+    ability.cap = std::move(*cap);
 }
 
 void find_stick(HidAbility& ability) {
@@ -86,7 +74,6 @@ tl::unexpected<Error> no_permission(const HidNode& node) {
 HidAbility find_ability(const HidNode& node) {
     HidAbility ability;
     auto descriptor = ReportDescriptor::parse(node.descriptor);
-    const bool is_known = is_space_mouse(node.vendor, node.product);
     if (!descriptor) {
         ability.missing = node.descriptor.empty() ? "its report descriptor cannot be read"
                                                   : to_sentence(descriptor.error());
@@ -98,12 +85,8 @@ HidAbility find_ability(const HidNode& node) {
         return std::any_of(collections.begin(), collections.end(),
                            [&](const Collection& c) { return c.usage == usage; });
     };
-    // The table speaks for old ones whose descriptor tells nothing; a receiver has interfaces that are none.
-    if (is_known && (has(kMultiAxis) || node.descriptor.empty())) {
-        ability.form = HandForm::space_mouse;
-        ability.n_axes = 6;
-        ability.n_buttons = count_buttons(ability.descriptor);
-        ability.full_cap = find_full_cap(ability.descriptor);
+    if (has(kMultiAxis)) {
+        find_cap(ability);
     } else if (std::any_of(kSticks.begin(), kSticks.end(), has)) {
         find_stick(ability);
     }

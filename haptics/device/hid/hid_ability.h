@@ -6,6 +6,7 @@
 #include "haptics/device/hid/force_layout.h"
 #include "haptics/device/hid/hid_link.h"
 #include "haptics/device/hid/report_descriptor.h"
+#include "haptics/device/hid/space_mouse.h"
 #include "haptics/device/hid/stick.h"
 
 #include <optional>
@@ -23,9 +24,9 @@ struct HidAbility {
     int n_force_axes = 0;  ///< 0: renders none
     std::string
         missing;  ///< why it cannot be used, or has no force though it speaks of it; a clause, or empty
-    double full_cap = 0.0;        ///< of a SpaceMouse: what it gives at the end of its cap's way
-    ReportDescriptor descriptor;  ///< empty where it could not be parsed
-    std::optional<Stick> stick;   ///< of a stick
+    ReportDescriptor descriptor;       ///< empty where it could not be parsed
+    std::optional<Cap> cap;            ///< of a SpaceMouse
+    std::optional<Stick> stick;        ///< of a stick
     std::optional<ForceLayout> force;  ///< where it renders one
 };
 

@@ -202,7 +202,7 @@ void HidPort::read_until_lost(HidLink& link) {
 
 bool HidPort::take_report(std::span<const std::uint8_t> report) noexcept {
     const bool was_of_use = ability_.form == HandForm::space_mouse
-                                ? take_cap_report(report, ability_.full_cap, newest_.cap)
+                                ? ability_.cap->take_report(report, newest_.cap)
                                 : ability_.stick->take_report(report, newest_.stick);
     (was_of_use ? reports_ : garbage_).fetch_add(1, std::memory_order_relaxed);
     if (was_of_use) {

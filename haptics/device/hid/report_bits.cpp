@@ -12,8 +12,8 @@ bool fits(const ReportField& field, std::size_t n_bytes) noexcept {
 
 }  // namespace
 
-std::optional<std::int64_t> read_value(const ReportField& field,
-                                       std::span<const std::uint8_t> data) noexcept {
+std::optional<std::int64_t> read_number(const ReportField& field,
+                                        std::span<const std::uint8_t> data) noexcept {
     if (field.bit_size == 0 || !fits(field, data.size())) {
         return std::nullopt;
     }
@@ -26,8 +26,14 @@ std::optional<std::int64_t> read_value(const ReportField& field,
     if (field.is_signed() && (bits >> (field.bit_size - 1U) & 1U) != 0) {
         value -= std::int64_t{1} << field.bit_size;
     }
-    const bool is_there = value >= field.logical_min && value <= field.logical_max;
-    return is_there ? std::optional(value) : std::nullopt;
+    return value;
+}
+
+std::optional<std::int64_t> read_value(const ReportField& field,
+                                       std::span<const std::uint8_t> data) noexcept {
+    const auto value = read_number(field, data);
+    const bool is_there = value && *value >= field.logical_min && *value <= field.logical_max;
+    return is_there ? value : std::nullopt;
 }
 
 void write_value(const ReportField& field, std::int64_t value,

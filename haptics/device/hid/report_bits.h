@@ -15,6 +15,10 @@
 
 namespace fulcrum::hid {
 
+/// What stands in the field, also outside its logical range; nothing where the report is too short.
+[[nodiscard]] std::optional<std::int64_t> read_number(const ReportField& field,
+                                                      std::span<const std::uint8_t> data) noexcept;
+
 /// The field's value in `data`, which begins behind the report's number. Nothing where the report is too short, or where the
 /// value lies outside the logical range: that is how a device says that it has none (HID 1.11, 5.10).
 [[nodiscard]] std::optional<std::int64_t> read_value(const ReportField& field,

@@ -1,81 +1,75 @@
 #include "haptics/device/hid/space_mouse.h"
 
+#include "haptics/device/hid/input_fields.h"
+#include "haptics/device/hid/report_bits.h"
+
 #include <algorithm>
-#include <array>
 
 namespace fulcrum::hid {
 namespace {
 
-struct Id {
-    std::uint16_t vendor;
-    std::uint16_t product;
-};
+constexpr Usage kFirstPush = usage_of(0x01, 0x30);  // X; Y, Z follow
+constexpr Usage kFirstTurn = usage_of(0x01, 0x33);  // Rx; Ry, Rz follow
 
-constexpr std::array<Id, 11> kSpaceMice{{{0x046d, 0xc626},
-                                         {0x046d, 0xc627},
-                                         {0x046d, 0xc62b},
-                                         {0x256f, 0xc62e},
-                                         {0x256f, 0xc632},
-                                         {0x256f, 0xc633},
-                                         {0x256f, 0xc635},
-                                         {0x256f, 0xc638},
-                                         {0x256f, 0xc63a},
-                                         {0x256f, 0xc641},
-                                         {0x256f, 0xc652}}};
-
-constexpr std::size_t kThree = 6;  // bytes of three numbers
-constexpr std::size_t kMostButtonBytes = 4;
-
-// Three numbers of the device's frame, in ours.
-Vector3 read_three(std::span<const std::uint8_t> bytes, double full) noexcept {
-    const auto number = [&](std::size_t i) {
-        const auto word = static_cast<std::uint16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8U);
-        return std::clamp(static_cast<std::int16_t>(word) / full, -1.0, 1.0);
-    };
-    return {number(0), -number(2), number(1)};
+double to_share(const ReportField& field, std::int64_t number) noexcept {
+    const double share = field.is_signed() && field.logical_max > 0
+                             ? static_cast<double>(number) / static_cast<double>(field.logical_max)
+                             : to_unit(field, number);
+    return std::clamp(share, -1.0, 1.0);
 }
 
 }  // namespace
 
-bool is_space_mouse(std::uint16_t vendor, std::uint16_t product) noexcept {
-    return std::any_of(kSpaceMice.begin(), kSpaceMice.end(),
-                       [&](const Id& id) { return id.vendor == vendor && id.product == product; });
+Expected<Cap> Cap::find(const ReportDescriptor& descriptor) {
+    Cap cap;
+    cap.numbers_reports_ = descriptor.numbers_reports();
+    for (Usage i = 0; i < 3; ++i) {
+        cap.push_[i] = find_input(descriptor, kFirstPush + i, kMultiAxis);
+        cap.turn_[i] = find_input(descriptor, kFirstTurn + i, kMultiAxis);
+    }
+    if (std::ranges::any_of(cap.push_, [](const auto& field) { return !field; })) {
+        return fail("it calls itself a Multi-axis Controller, and does not tell X, Y and Z", {},
+                    "use a SpaceMouse or a joystick");
+    }
+    cap.buttons_ = find_buttons(descriptor, kMultiAxis);
+    return cap;
 }
 
-bool take_cap_report(std::span<const std::uint8_t> report, double full, CapState& cap) noexcept {
+bool Cap::take_three(const Three& fields, std::uint8_t report_id,
+                     std::span<const std::uint8_t> data, Vector3& value_D) noexcept {
+    std::array<double, 3> shares{};
+    bool is_told = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (fields[i] && fields[i]->report_id == report_id) {
+            const auto number = read_number(*fields[i], data);
+            if (!number) {
+                return false;
+            }
+            shares[i] = to_share(*fields[i], *number);
+            is_told = true;
+        }
+    }
+    if (is_told) {
+        value_D = {shares[0], -shares[2], shares[1]};
+    }
+    return is_told;
+}
+
+bool Cap::take_report(std::span<const std::uint8_t> report, CapState& cap) const noexcept {
     if (report.empty()) {
         return false;
     }
-    const std::span<const std::uint8_t> data = report.subspan(1);
-    switch (report[0]) {
-        case 1:
-            // Neither kind gives anything between, nor less.
-            if (data.size() != kThree && data.size() < 2 * kThree) {
-                return false;
-            }
-            cap.push_D = read_three(data, full);
-            if (data.size() >= 2 * kThree) {
-                cap.turn_D = read_three(data.subspan(kThree), full);
-            }
-            return true;
-        case 2:
-            if (data.size() != kThree) {
-                return false;
-            }
-            cap.turn_D = read_three(data, full);
-            return true;
-        case 3:
-            if (data.empty()) {
-                return false;
-            }
-            cap.buttons = 0;
-            for (std::size_t i = 0; i < std::min(data.size(), kMostButtonBytes); ++i) {
-                cap.buttons |= std::uint32_t{data[i]} << (8 * i);
-            }
-            return true;
-        default:
-            return false;
-    }
+    const std::uint8_t number = numbers_reports_ ? report[0] : 0;
+    const std::span<const std::uint8_t> data = report.subspan(numbers_reports_ ? 1 : 0);
+    bool was_of_use = take_three(push_, number, data, cap.push_D);
+    was_of_use |= take_three(turn_, number, data, cap.turn_D);
+    return take_buttons(buttons_, number, data, cap.buttons) || was_of_use;
+}
+
+int Cap::n_axes() const noexcept {
+    const auto is_there = [](const auto& field) { return field.has_value(); };
+    return static_cast<int>(std::ranges::count_if(push_, is_there) +
+                            std::ranges::count_if(turn_, is_there));
 }
 
 }  // namespace fulcrum::hid

@@ -1,5 +1,6 @@
 #include "haptics/device/hid/stick.h"
 
+#include "haptics/device/hid/input_fields.h"
 #include "haptics/device/hid/report_bits.h"
 
 #include <algorithm>
@@ -9,27 +10,20 @@ namespace {
 
 constexpr std::uint16_t kDesktop = 0x01;
 constexpr std::uint16_t kSimulation = 0x02;
-constexpr std::uint16_t kButton = 0x09;
 constexpr Usage kAxisX = usage_of(kDesktop, 0x30);
 constexpr Usage kAxisY = usage_of(kDesktop, 0x31);
 constexpr Usage kGamepad = usage_of(kDesktop, 0x05);
-constexpr std::uint32_t kMostButtons = 32;
 
 // What goes near and far, the most fitting first. A gamepad's Z is a trigger, its second stick springs back.
 constexpr std::array kStickDepths{usage_of(kSimulation, 0xBB), usage_of(kDesktop, 0x36),
                                   usage_of(kDesktop, 0x32)};
 constexpr std::array kPadDepths{usage_of(kDesktop, 0x35)};
 
+// An axis tells where it is, not how far it went.
 std::optional<ReportField> find_axis(const ReportDescriptor& descriptor, Usage usage,
                                      Usage application) {
-    for (const ReportField& field : descriptor.fields()) {
-        if (field.type == ReportType::input && !field.is_array && !field.is_relative &&
-            field.usage == usage && field.logical_max > field.logical_min &&
-            (application == 0 || descriptor.application_of(field) == application)) {
-            return field;
-        }
-    }
-    return std::nullopt;
+    const auto field = find_input(descriptor, usage, application);
+    return field && !field->is_relative ? field : std::nullopt;
 }
 
 }  // namespace
@@ -52,14 +46,7 @@ Expected<Stick> Stick::find(const ReportDescriptor& descriptor) {
             stick.depth_ = find_axis(descriptor, usage, application);
         }
     }
-    for (std::uint32_t i = 0; i < kMostButtons; ++i) {
-        const auto button = static_cast<std::uint16_t>(i + 1);
-        const auto field = find_axis(descriptor, usage_of(kButton, button), application);
-        if (!field) {
-            break;
-        }
-        stick.buttons_.push_back(*field);
-    }
+    stick.buttons_ = find_buttons(descriptor, application);
     return stick;
 }
 
@@ -85,12 +72,7 @@ bool Stick::take_report(std::span<const std::uint8_t> report, StickState& state)
     if (const auto z = depth_ ? value_of(*depth_) : std::nullopt) {
         state.place.z() = to_unit(*depth_, *z);
     }
-    for (std::size_t i = 0; i < buttons_.size(); ++i) {
-        if (const auto down = value_of(buttons_[i])) {
-            const std::uint32_t bit = 1U << i;
-            state.buttons = *down != 0 ? state.buttons | bit : state.buttons & ~bit;
-        }
-    }
+    was_of_use |= take_buttons(buttons_, number, data, state.buttons);
     return was_of_use;
 }
 

@@ -22,6 +22,13 @@ RunRequest by_arm(const char* learner) {
     return request;
 }
 
+// The same, once it has said what it is.
+RunRequest met(const char* learner, const char* name) {
+    RunRequest request = by_arm(learner);
+    request.arm_name = name;
+    return request;
+}
+
 }  // namespace
 
 TEST_CASE("hand fitting: a small arm reaches what the usual one, a large one keeps its scale") {
@@ -119,7 +126,69 @@ TEST_CASE("hand fitting: each device has a name of its own") {
     request.hid.node.vendor = 0x046d;
     request.hid.node.product = 0xc626;
     CHECK(name_device(request) == "hid:046d:c626");
+    request.hid.node.serial = "A7";
+    CHECK(name_device(request) == "hid:046d:c626 A7");
     CHECK(name_device(by_arm("Mina")) == "udp:arm:4701");
+    CHECK(name_device(met("Mina", "Arm 1")) == "udp:arm:4701 Arm 1");
+    RunRequest own = met("Mina", "omega.3 4711");
+    own.own_arm = &kOwnArms.front();
+    CHECK(name_device(own) == "arm omega.3 4711");
     request.hand = HandKind::replay;
     CHECK(name_device(request).empty());
+}
+
+TEST_CASE("hand fitting: another arm at the same port has nothing of the first") {
+    const ScratchFolder folder;
+    const auto store = value_of(open_sqlite_store(folder.file("progress.db")));
+    RunRequest first = met("Mina", "Arm 1");
+    first.fit = {.checked = verdict_of(true, "Arm 1")};
+    REQUIRE(set_fit(first.fit, "axes", "y,x,-z"));
+    keep_fit_of(first, *store);
+    CHECK(with_kept_fit(met("Mina", "Arm 1"), *store).fit.axes);
+    const HandFit other = with_kept_fit(met("Mina", "Arm 2"), *store).fit;
+    CHECK_FALSE(other.axes);
+    CHECK(other.checked.empty());
+}
+
+TEST_CASE(
+    "hand fitting: what was kept of an address is the arm's that was tried there, and of no "
+    "other") {
+    const ScratchFolder folder;
+    const auto store = value_of(open_sqlite_store(folder.file("progress.db")));
+    RunRequest before = by_arm("Mina");
+    before.fit = {.scale = 2.0, .checked = verdict_of(true, "Arm 1")};
+    keep_fit_of(before, *store);
+    const HandFit other = with_kept_fit(met("Mina", "Arm 2"), *store).fit;
+    CHECK_FALSE(other.scale);
+    CHECK(other.checked.empty());
+    const HandFit own = with_kept_fit(met("Mina", "Arm 1"), *store).fit;
+    CHECK(own.scale == 2.0);
+    CHECK(is_tried(own, true, "Arm 1"));
+    // It is kept under its own name from then on: what is said later under the address alone changes nothing.
+    before.fit.scale = 3.0;
+    keep_fit_of(before, *store);
+    CHECK(with_kept_fit(met("Mina", "Arm 1"), *store).fit.scale == 2.0);
+}
+
+TEST_CASE(
+    "hand fitting: a stick takes over how its kind was set, and is tried anew; its twin has a "
+    "verdict of its own") {
+    const ScratchFolder folder;
+    const auto store = value_of(open_sqlite_store(folder.file("progress.db")));
+    RunRequest stick;
+    stick.hand = HandKind::hid;
+    stick.learner = "Mina";
+    stick.fit = {.scale = 2.0, .checked = verdict_of(true, "Stick")};
+    keep_fit_of(stick, *store);
+    stick.fit = {};
+    stick.hid.node.serial = "A7";
+    HandFit fit = with_kept_fit(stick, *store).fit;
+    CHECK(fit.scale == 2.0);
+    CHECK(fit.checked.empty());
+    RunRequest tried = stick;
+    tried.fit = {.checked = verdict_of(true, "Stick")};
+    keep_fit_of(tried, *store);
+    CHECK(is_tried(with_kept_fit(stick, *store).fit, true, "Stick"));
+    stick.hid.node.serial = "B8";
+    CHECK_FALSE(is_tried(with_kept_fit(stick, *store).fit, true, "Stick"));
 }

@@ -24,6 +24,14 @@ Expected<Stick> stick_of(const Bytes& bytes) {
     return Stick::find(*descriptor);
 }
 
+Cap cap_of(const Bytes& bytes) {
+    const auto descriptor = ReportDescriptor::parse(bytes);
+    REQUIRE(descriptor);
+    const auto cap = Cap::find(*descriptor);
+    REQUIRE(cap);
+    return *cap;
+}
+
 constexpr double kDt_s = 0.001;
 
 CapState pushed(const Vector3& push_D) {
@@ -41,65 +49,97 @@ CapState turned(const Vector3& turn_D) {
 }  // namespace
 
 TEST_CASE("space mouse: pushes and turns, in two reports or one, in our frame, not mirrored") {
+    const Cap two = cap_of(space_mouse_descriptor(false));
     CapState cap;
-    CHECK(take_cap_report(cap_report(1, {350, -175, 70}), 350.0, cap));
+    CHECK(two.take_report(cap_report(1, {350, -175, 70}), cap));
     // Right is right; towards the user is +z; down is -y.
     CHECK(cap.push_D == Vector3(1.0, -0.2, -0.5));
     CHECK(cap.turn_D == Vector3::Zero());
-    CHECK(take_cap_report(cap_report(2, {35, 0, -350}), 350.0, cap));
+    CHECK(two.take_report(cap_report(2, {35, 0, -350}), cap));
     CHECK(cap.turn_D == Vector3(0.1, 1.0, 0.0));
     CHECK(cap.push_D == Vector3(1.0, -0.2, -0.5));
+    const Cap one = cap_of(space_mouse_descriptor(true));
     cap = CapState();
-    CHECK(take_cap_report(cap_report(1, {0, 0, -350, 0, 350, 0}), 350.0, cap));
+    CHECK(one.take_report(cap_report(1, {0, 0, -350, 0, 350, 0}), cap));
     CHECK(cap.push_D == Vector3(0.0, 1.0, 0.0));
     CHECK(cap.turn_D == Vector3(0.0, 0.0, 1.0));
     // Some fill their report up.
     Bytes longer = cap_report(1, {0, 0, -350, 0, 350, 0});
     longer.resize(20);
-    CHECK(take_cap_report(longer, 350.0, cap));
+    CHECK(one.take_report(longer, cap));
     // x cross y is z in either.
     CapState x, y, z;
-    CHECK(take_cap_report(cap_report(1, {350, 0, 0}), 350.0, x));
-    CHECK(take_cap_report(cap_report(1, {0, 350, 0}), 350.0, y));
-    CHECK(take_cap_report(cap_report(1, {0, 0, 350}), 350.0, z));
+    CHECK(two.take_report(cap_report(1, {350, 0, 0}), x));
+    CHECK(two.take_report(cap_report(1, {0, 350, 0}), y));
+    CHECK(two.take_report(cap_report(1, {0, 0, 350}), z));
     CHECK(x.push_D.cross(y.push_D) == z.push_D);
 }
 
-TEST_CASE("space mouse: up to 32 buttons, the end of the cap, known by its numbers") {
+TEST_CASE("space mouse: buttons, and the end of the cap, also beyond what is told of it") {
+    const Cap two = cap_of(space_mouse_descriptor(false));
+    CHECK(two.n_axes() == 6);
+    CHECK(two.n_buttons() == 2);
     CapState cap;
-    CHECK(take_cap_report(Bytes{3, 2, 0}, 350.0, cap));
+    CHECK(two.take_report(Bytes{3, 2, 0}, cap));
     CHECK(cap.buttons == 2);
-    CHECK(take_cap_report(Bytes{3, 1, 0, 0, 0x80, 0xFF, 0xFF}, 350.0, cap));
-    CHECK(cap.buttons == 0x80000001);
-    CHECK(take_cap_report(Bytes{3, 0}, 350.0, cap));
+    CHECK(two.take_report(Bytes{3, 1}, cap));
+    CHECK(cap.buttons == 1);
+    CHECK(two.take_report(Bytes{3, 0, 0xFF}, cap));
     CHECK(cap.buttons == 0);
-    cap = CapState();
-    CHECK(take_cap_report(cap_report(1, {32767, -32768, 351}), 350.0, cap));
+    CHECK(two.take_report(cap_report(1, {32767, -32768, 351}), cap));
     CHECK(cap.push_D == Vector3(1.0, -1.0, -1.0));
-    CHECK(is_space_mouse(0x046d, 0xc626));
-    CHECK(is_space_mouse(0x256f, 0xc652));
-    CHECK_FALSE(is_space_mouse(0x046d, 0xc652));
-    CHECK_FALSE(is_space_mouse(0, 0));
+}
+
+TEST_CASE("space mouse: a self-built one says where its numbers lie, how wide and how far") {
+    // Reports without numbers; four axes of 10 bits from 0 to 1023, that rest in the middle; a button.
+    DescriptorBuilder d;
+    d.page(1).usage(8).open(1).usage(0x30).usage(0x31).usage(0x32).usage(0x35);
+    d.logical(0, 1023).fields(10, 4).input(2);
+    d.page(9).usages(1, 1).logical(0, 1).fields(1, 1).input(2).fields(7, 1).input(1).close();
+    const Cap own = cap_of(d.bytes());
+    CHECK(own.n_axes() == 4);
+    CHECK(own.n_buttons() == 1);
+    // x 1023, y 0, z 511, Rz 1023, button down: 10 bits each, the lowest first.
+    const std::uint64_t bits = 1023ULL | 511ULL << 20U | 1023ULL << 30U | 1ULL << 40U;
+    Bytes report;
+    for (unsigned i = 0; i < 6; ++i) {
+        report.push_back(static_cast<std::uint8_t>(bits >> (8 * i)));
+    }
+    CapState cap;
+    REQUIRE(own.take_report(report, cap));
+    CHECK(cap.push_D.x() == 1.0);
+    CHECK(cap.push_D.z() == -1.0);
+    CHECK(std::abs(cap.push_D.y()) < 1.0e-3);
+    // About their z, which is down.
+    CHECK(cap.turn_D == Vector3(0.0, -1.0, 0.0));
+    CHECK(cap.buttons == 1);
+}
+
+TEST_CASE(
+    "space mouse: a Multi-axis Controller without X, Y and Z is none; a stick's axes are not its") {
+    DescriptorBuilder d;
+    d.page(1).usage(8).open(1).usage(0x30).usage(0x31).logical(-350, 350).fields(16, 2).input(2);
+    d.close();
+    d.page(1).usage(4).open(1).usage(0x32).logical(-350, 350).fields(16, 1).input(2).close();
+    const auto descriptor = ReportDescriptor::parse(d.bytes());
+    REQUIRE(descriptor);
+    CHECK(refusal_of(Cap::find(*descriptor)) ==
+          "it calls itself a Multi-axis Controller, and does not tell X, Y and Z; use a SpaceMouse "
+          "or a joystick.");
 }
 
 TEST_CASE("space mouse: reports of no known kind or length change nothing") {
+    const Cap two = cap_of(space_mouse_descriptor(false));
     CapState cap;
-    REQUIRE(take_cap_report(cap_report(1, {100, 100, 100, 50, 50, 50}), 350.0, cap));
-    REQUIRE(take_cap_report(Bytes{3, 1}, 350.0, cap));
+    REQUIRE(two.take_report(cap_report(1, {100, 100, 100}), cap));
+    REQUIRE(two.take_report(cap_report(2, {50, 50, 50}), cap));
+    REQUIRE(two.take_report(Bytes{3, 1}, cap));
     const CapState before = cap;
-    const std::vector<Bytes> garbage{{},
-                                     {1},
-                                     {1, 2, 3, 4, 5, 6},
-                                     cap_report(1, {1, 2, 3, 4}),
-                                     {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12},
-                                     {2, 9, 9, 9},
-                                     cap_report(2, {1, 2, 3, 4, 5, 6}),
-                                     {3},
-                                     {0, 9, 9, 9, 9, 9, 9},
-                                     {23, 1, 2},
-                                     {255, 1, 2, 3, 4, 5, 6}};
+    const std::vector<Bytes> garbage{
+        {},  {1},        {1, 2, 3, 4, 5, 6},    {2, 9, 9, 9},
+        {3}, {23, 1, 2}, {0, 9, 9, 9, 9, 9, 9}, {255, 1, 2, 3, 4, 5, 6}};
     for (const Bytes& report : garbage) {
-        CHECK_FALSE(take_cap_report(report, 350.0, cap));
+        CHECK_FALSE(two.take_report(report, cap));
         CHECK(cap.push_D == before.push_D);
         CHECK(cap.turn_D == before.turn_D);
         CHECK(cap.buttons == before.buttons);
