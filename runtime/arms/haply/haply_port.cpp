@@ -24,8 +24,8 @@ constexpr double kAnswer_s = 0.01;  // for one state, then the next force goes a
 constexpr double kLost_s = 0.5;  // of silence until the line is tried anew, and between two tries
 constexpr double kTellSilence_s = 0.1;   // a shorter one is a fault, but no words
 constexpr double kOpenPatience_s = 1.0;  // for each question, while somebody waits for the arm
-constexpr double kAgainPatience_s =
-    0.15;  // while nobody does: with all four, stop comes within a second
+// While nobody does: five questions, and who stops the arm waits for less than a second.
+constexpr double kAgainPatience_s = 0.15;
 constexpr double kRestPause_s = 0.005;
 constexpr int kMostAtOnce = 32;  // answers that are heard in one round
 
@@ -160,6 +160,7 @@ void HaplyPort::run() noexcept {
             }
         } catch (...) {
             // Memory has run out. Without the session nothing is felt.
+            publish(false, Fault::none);
             session_.reset();
         }
     }
@@ -176,7 +177,8 @@ void HaplyPort::stream() {
     while (!stops_.load()) {
         const double now_s = monotonic_now_s();
         if (!do_round(now_s)) {
-            lose("has lost its service, for " + session_->why() +
+            const std::string& why = session_->why();
+            lose("has lost its service, for " + (why.empty() ? "it does not answer" : why) +
                  ": it is looked for, or start the Haply Inverse Service anew");
             session_.reset();
             return;
@@ -190,6 +192,10 @@ void HaplyPort::stream() {
 
 // One force, and the states that came; false where the line is of no more use.
 bool HaplyPort::do_round(double now_s) {
+    // An answer that came too late for its own round is not to be taken for this one's.
+    if (!hear(0.0)) {
+        return false;
+    }
     const bool may_push = newest_.is_there && watch_.change().empty();
     const Vector3 wanted_A = may_push ? haply_from_D(wanted_D(now_s).force) : Vector3::Zero();
     const Vector3 force_A = proof_.allow(wanted_A, now_s);
