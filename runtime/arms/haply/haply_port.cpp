@@ -140,6 +140,7 @@ class HaplyPort final : public ArmPort {
     HaplyStatus status_{};
     ArmSample newest_{};
     double heard_s_ = 0.0;
+    int n_due_ = 0;        // answers that have not come
     std::string trouble_;  // what people were told last; empty: all is well
 
     std::atomic<ForceWord> word_{ForceWord::vector};
@@ -171,6 +172,7 @@ void HaplyPort::run() noexcept {
 void HaplyPort::stream() {
     status_ = session_->arm().status;
     heard_s_ = monotonic_now_s();
+    n_due_ = 0;
     watch_.begin(session_->arm(), session_->force_scale(), heard_s_);
     proof_ = ForceProof(session_->word(), kHaplyForce_N);
     double next_s = heard_s_;
@@ -202,6 +204,7 @@ bool HaplyPort::do_round(double now_s) {
     if (!session_->send(force_A, proof_.word(), watch_.is_due(now_s), now_s + kAnswer_s)) {
         return false;
     }
+    ++n_due_;
     proof_.note_sent(force_A, now_s);
     if (!hear(now_s + kAnswer_s)) {
         return false;
@@ -216,11 +219,12 @@ bool HaplyPort::do_round(double now_s) {
     return silent_s <= kLost_s;
 }
 
-// Waits for one answer; more may lie behind it where earlier ones were late.
+// Waits for as many answers as are due; who is still owed one then gets it no more, for another came behind it.
 bool HaplyPort::hear(double deadline_s) {
+    bool has_heard = false;
     for (int i = 0; i < kMostAtOnce; ++i) {
         HaplyMessage message;
-        switch (session_->receive(message, deadline_s)) {
+        switch (session_->receive(message, n_due_ > 0 ? deadline_s : 0.0)) {
             case HaplySession::Heard::state:
                 heard_s_ = monotonic_now_s();
                 take(message, heard_s_);
@@ -230,11 +234,13 @@ bool HaplyPort::hear(double deadline_s) {
                 lose("cannot be understood: " + session_->why());
                 break;
             case HaplySession::Heard::nothing:
+                n_due_ = has_heard ? 0 : n_due_;
                 return true;
             case HaplySession::Heard::gone:
                 return false;
         }
-        deadline_s = 0.0;
+        has_heard = deadline_s > 0.0;
+        n_due_ = std::max(0, n_due_ - 1);
     }
     return true;
 }
