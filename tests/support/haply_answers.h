@@ -51,6 +51,7 @@ struct HaplyOptions {
     bool is_malformed = false;   ///< answers are half a message
     bool has_no_number = false;  ///< a coordinate is null
     double delay_s = 0.0;        ///< before each answer
+    bool delays_once = false;    ///< before the next alone
 };
 
 /// Where the arm is, in its base A: m, m/s, N.

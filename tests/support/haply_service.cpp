@@ -176,6 +176,7 @@ bool HaplyService::answer(Guest& guest, const std::string& text) {
         const std::lock_guard lock(mutex_);
         options = options_;
         options_.cuts_off = false;
+        options_.delay_s = options.delays_once ? 0.0 : options.delay_s;
         order = read_order_text(options, text);
         // What is not understood is applied once and forgotten: no force [?].
         state_.force_A = turn_to_base(options, order.force_A.value_or(Vector3::Zero()));

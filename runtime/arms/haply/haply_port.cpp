@@ -24,8 +24,8 @@ constexpr double kAnswer_s = 0.01;  // for one state, then the next force goes a
 constexpr double kLost_s = 0.5;  // of silence until the line is tried anew, and between two tries
 constexpr double kTellSilence_s = 0.1;   // a shorter one is a fault, but no words
 constexpr double kOpenPatience_s = 1.0;  // for each question, while somebody waits for the arm
-constexpr double kAgainPatience_s =
-    0.15;  // while nobody does: with all four, stop comes within a second
+// While nobody does: five questions, and who stops the arm waits for less than a second.
+constexpr double kAgainPatience_s = 0.15;
 constexpr double kRestPause_s = 0.005;
 constexpr int kMostAtOnce = 32;  // answers that are heard in one round
 
@@ -140,6 +140,7 @@ class HaplyPort final : public ArmPort {
     HaplyStatus status_{};
     ArmSample newest_{};
     double heard_s_ = 0.0;
+    int n_due_ = 0;        // answers that have not come
     std::string trouble_;  // what people were told last; empty: all is well
 
     std::atomic<ForceWord> word_{ForceWord::vector};
@@ -160,6 +161,7 @@ void HaplyPort::run() noexcept {
             }
         } catch (...) {
             // Memory has run out. Without the session nothing is felt.
+            publish(false, Fault::none);
             session_.reset();
         }
     }
@@ -170,13 +172,15 @@ void HaplyPort::run() noexcept {
 void HaplyPort::stream() {
     status_ = session_->arm().status;
     heard_s_ = monotonic_now_s();
+    n_due_ = 0;
     watch_.begin(session_->arm(), session_->force_scale(), heard_s_);
     proof_ = ForceProof(session_->word(), kHaplyForce_N);
     double next_s = heard_s_;
     while (!stops_.load()) {
         const double now_s = monotonic_now_s();
         if (!do_round(now_s)) {
-            lose("has lost its service, for " + session_->why() +
+            const std::string& why = session_->why();
+            lose("has lost its service, for " + (why.empty() ? "it does not answer" : why) +
                  ": it is looked for, or start the Haply Inverse Service anew");
             session_.reset();
             return;
@@ -190,12 +194,17 @@ void HaplyPort::stream() {
 
 // One force, and the states that came; false where the line is of no more use.
 bool HaplyPort::do_round(double now_s) {
+    // An answer that came too late for its own round is not to be taken for this one's.
+    if (!hear(0.0)) {
+        return false;
+    }
     const bool may_push = newest_.is_there && watch_.change().empty();
     const Vector3 wanted_A = may_push ? haply_from_D(wanted_D(now_s).force) : Vector3::Zero();
     const Vector3 force_A = proof_.allow(wanted_A, now_s);
     if (!session_->send(force_A, proof_.word(), watch_.is_due(now_s), now_s + kAnswer_s)) {
         return false;
     }
+    ++n_due_;
     proof_.note_sent(force_A, now_s);
     if (!hear(now_s + kAnswer_s)) {
         return false;
@@ -210,11 +219,12 @@ bool HaplyPort::do_round(double now_s) {
     return silent_s <= kLost_s;
 }
 
-// Waits for one answer; more may lie behind it where earlier ones were late.
+// Waits for as many answers as are due; who is still owed one then gets it no more, for another came behind it.
 bool HaplyPort::hear(double deadline_s) {
+    bool has_heard = false;
     for (int i = 0; i < kMostAtOnce; ++i) {
         HaplyMessage message;
-        switch (session_->receive(message, deadline_s)) {
+        switch (session_->receive(message, n_due_ > 0 ? deadline_s : 0.0)) {
             case HaplySession::Heard::state:
                 heard_s_ = monotonic_now_s();
                 take(message, heard_s_);
@@ -224,11 +234,13 @@ bool HaplyPort::hear(double deadline_s) {
                 lose("cannot be understood: " + session_->why());
                 break;
             case HaplySession::Heard::nothing:
+                n_due_ = has_heard ? 0 : n_due_;
                 return true;
             case HaplySession::Heard::gone:
                 return false;
         }
-        deadline_s = 0.0;
+        has_heard = deadline_s > 0.0;
+        n_due_ = std::max(0, n_due_ - 1);
     }
     return true;
 }

@@ -1,5 +1,6 @@
 // What may go wrong while a force is on: none is left, people are told, and where it can come back it does.
 #include "runtime/arms/haply/haply_port.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/runtime/arms/haply/haply_rig.h"
 
 #include <catch2/catch.hpp>
@@ -143,6 +144,49 @@ TEST_CASE("haply faults: answers that are late, but within the silence, take no 
     const HaplyFelt then = pushed.rig.service().felt();
     CHECK(eventually([&] { return pushed.rig.service().felt().messages > then.messages + 60; }));
     CHECK(pushed.is_felt());
+}
+
+TEST_CASE(
+    "haply faults: after an answer that came too late each state is that of its own order again") {
+    const ScratchFolder folder;
+    const std::string path = folder.file("arm.log");
+    HaplyRig rig;
+    rig.settings().log_file = path;
+    // Another force each time, so that an order is told from the one before it.
+    REQUIRE(rig.open([n = 0](const Vector3&) mutable {
+        return Vector3(0.5 + 1.0e-5 * (++n % 1000), 0.0, 0.0);
+    }));
+    const auto goes_on = [&](std::uint64_t rounds) {
+        const auto then = rig.service().felt().messages;
+        return eventually([&] { return rig.service().felt().messages >= then + rounds; });
+    };
+    REQUIRE(goes_on(300));
+    rig.service().change([](HaplyOptions& now) {
+        now.delay_s = 0.015;
+        now.delays_once = true;
+    });
+    REQUIRE(goes_on(400));
+    rig.port().stop();
+    rig.stop_loop();
+    // Of the last answers nearly all tell the force of the order just before them.
+    std::vector<bool> is_its_own;
+    std::ifstream file(path);
+    std::string ordered;
+    for (std::string line; std::getline(file, line);) {
+        const auto number_behind = [&](const char* words) {
+            const std::size_t at = line.find("\"x\":", line.find(words));
+            return at == std::string::npos ? std::string() : line.substr(at + 4, 7);
+        };
+        if (line.find(" > ") != std::string::npos) {
+            ordered = number_behind("set_cursor_force");
+        } else if (!ordered.empty() && line.find("current_cursor_force") != std::string::npos) {
+            const double differs =
+                std::stod(number_behind("current_cursor_force")) - std::stod(ordered);
+            is_its_own.push_back(std::abs(differs) < 0.5e-5);
+        }
+    }
+    REQUIRE(is_its_own.size() > 300);
+    CHECK(std::count(is_its_own.end() - 200, is_its_own.end(), true) > 150);
 }
 
 TEST_CASE("haply faults: whatever somebody changes in the session ends the force until a restart") {
