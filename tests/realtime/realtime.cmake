@@ -13,7 +13,7 @@ set(load_functions
     "mesh_obstacle.cpp=MeshObstacle::~?MeshObstacle"
     "friction_cone.cpp=FrictionCone::~?FrictionCone"
     "memory_channel.cpp=MemoryChannel::~?MemoryChannel|MemoryChannel::End::~End"
-    "stick.cpp=Stick::find|expected_storage_base|Error::" "hid_hand.cpp=HidHand::~"
+    "stick.cpp=Stick::find|expected_storage_base|Error::" "space_mouse.cpp=Cap::find|expected_storage_base|Error::" "input_fields.cpp=find_(input|buttons)" "hid_hand.cpp=HidHand::~"
     "virtual_proxy.cpp=VirtualProxy::~?VirtualProxy"
     "contact_problem.cpp=ContactProblem::~?ContactProblem" "block_system.cpp=BlockSystem::~?BlockSystem"
     "dantzig_solver.cpp=DantzigSolver::~?DantzigSolver|BodyMotion::~?BodyMotion|IncrementalLdlt::~" "incremental_ldlt.cpp=IncrementalLdlt::IncrementalLdlt"
