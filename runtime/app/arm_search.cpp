@@ -14,8 +14,8 @@ constexpr double kLetGo_s = 2.0;
 // Up to the line that says that it waits, or cannot; what it says itself is the last then.
 std::vector<std::string> hear(LineProgram& program, double until_s) {
     std::vector<std::string> lines;
-    for (double now_s = monotonic_now_s(); now_s < until_s; now_s = monotonic_now_s()) {
-        auto line = program.wait(until_s - now_s);
+    while (monotonic_now_s() < until_s) {
+        auto line = program.wait(until_s - monotonic_now_s());
         if (!line) {
             break;
         }

@@ -46,6 +46,10 @@ bool mouse_is_free(const RunRequest& request) {
                request.more_hands.end();
 }
 
+void add_sentence(std::string& text, const std::string& sentence) {
+    text += (text.empty() ? "" : " ") + sentence;
+}
+
 // There and back, as it usually takes: the median of what comes within kMeasured_s of the first that does. Commands of no force are asked for
 // it, for an arm echoes nothing else; where none comes back it is as long as it may be.
 double measure_way_s(LinkDevice& device, double began_s) {
@@ -292,22 +296,24 @@ std::string HandDevice::take_notice() {
                          : own_arm() != nullptr ? own_arm()->take_notice()
                                                 : std::string();
     if (stands_in() != std::exchange(told_stand_in_, stands_in())) {
-        notice += (notice.empty() ? "" : " ") +
-                  std::string(stands_in() ? "The mouse moves the hand until it is there again."
-                                          : "It moves the hand again; its force comes softly.");
+        add_sentence(notice, stands_in() ? "The mouse moves the hand until it is there again."
+                                         : "It moves the hand again; its force comes softly.");
     }
     if (linked_ != nullptr) {
-        const LinkStatus link = linked_->status();
-        if (link.too_long != std::exchange(told_too_long_, link.too_long)) {
-            notice += (notice.empty() ? "" : " ") +
-                      describe_way(link, LinkDeviceSettings{}.most_round_trip_s);
-        }
-        const bool is_slow = !link.too_long && link.round_trip_s > kSlowerWay * planned_link_s();
-        if (is_slow && !std::exchange(told_slower_, is_slow)) {
-            notice += (notice.empty() ? "" : " ") + describe_slower_way(link, planned_link_s());
-        }
+        add_link_notice(notice);
     }
     return notice;
+}
+
+void HandDevice::add_link_notice(std::string& notice) {
+    const LinkStatus link = linked_->status();
+    if (link.too_long != std::exchange(told_too_long_, link.too_long)) {
+        add_sentence(notice, describe_way(link, LinkDeviceSettings{}.most_round_trip_s));
+    }
+    const bool is_slow = !link.too_long && link.round_trip_s > kSlowerWay * planned_link_s();
+    if (is_slow && !std::exchange(told_slower_, is_slow)) {
+        add_sentence(notice, describe_slower_way(link, planned_link_s()));
+    }
 }
 
 void HandDevice::see(const std::optional<Vector3>& thing_W) {

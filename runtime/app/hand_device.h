@@ -104,6 +104,7 @@ class HandDevice {
     [[nodiscard]] Expected<void> make(const RunRequest& request);
     [[nodiscard]] Expected<void> link(const HandChoice& request);
     void spoil(const RunRequest& request);
+    void add_link_notice(std::string& notice);
     [[nodiscard]] double planned_link_s() const;
     [[nodiscard]] OwnArm* own_arm() const noexcept {
         return line_ != nullptr ? line_->own_arm().get() : nullptr;

@@ -36,7 +36,7 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
         return tl::unexpected(built.error());
     }
     RunRequest said = request;
-    static_cast<HandChoice&>(said) = settled;
+    static_cast<HandChoice&>(said) = static_cast<const HandChoice&>(settled);
     keep_fit_of(said, store);
     for (std::size_t hand = 1; hand < run->hands_.size(); ++hand) {
         keep_fit_of(of_hand(settled, hand), store);

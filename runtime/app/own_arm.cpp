@@ -76,8 +76,8 @@ Expected<void> OwnArm::begin() {
         return tl::unexpected(program.error());
     }
     const double end_s = monotonic_now_s() + kArmBegin_s;
-    for (double now_s = monotonic_now_s(); now_s < end_s; now_s = monotonic_now_s()) {
-        const auto line = (*program)->wait(end_s - now_s);
+    while (monotonic_now_s() < end_s) {
+        const auto line = (*program)->wait(end_s - monotonic_now_s());
         if (!line) {
             break;
         }
