@@ -82,7 +82,9 @@ Expected<void> OwnArm::begin() {
             break;
         }
         if (const auto error = after(*line, kArmError)) {
-            return fail(name_ + ": " + std::string(*error));
+            std::string told = name_ + ": " + std::string(*error);
+            (*program)->finish(kArmFarewell_s);
+            return fail(std::move(told));
         }
         if (const auto at = after(*line, kArmAt)) {
             std::uint16_t port = 0;
@@ -93,7 +95,9 @@ Expected<void> OwnArm::begin() {
             return {};
         }
     }
-    const std::string& why = (*program)->trouble();
+    const std::string why = (*program)->trouble();
+    // It may be in a maker's library, with the arm: it is asked first.
+    (*program)->finish(kArmFarewell_s);
     return fail(name_ + " does not begin: " + (why.empty() ? "its program says nothing" : why), {},
                 "look at ./fulcrum devices");
 }
@@ -140,7 +144,7 @@ void OwnArm::hear(double patience_s) {
             tell(name_ + (is_silent ? " does not answer: its program is started again."
                                     : " has gone: its program is started again."));
         }
-        program_->finish(is_silent ? kArmFarewell_s : 0.0);
+        program_->finish(kArmFrozen_s);
         program_.reset();
     }
 }

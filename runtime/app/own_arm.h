@@ -24,9 +24,10 @@
 namespace fulcrum::runtime {
 
 inline constexpr double kArmBeat_s = 0.2;
-inline constexpr double kArmPatience_s = 2.0;
+inline constexpr double kArmPatience_s = 1.0;
 inline constexpr double kArmAgain_s = 1.0;
 inline constexpr double kArmFarewell_s = 2.0;
+inline constexpr double kArmFrozen_s = 0.3;  ///< the same of one that says nothing
 inline constexpr double kArmBegin_s =
     20.0;  ///< how long a process may take until it waits: a Haply arm waits 10 s for its handle to rest
 

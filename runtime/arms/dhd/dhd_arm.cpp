@@ -20,8 +20,11 @@ Vector3 to_A(const Vector3& v_D) noexcept {
 
 bool DhdArm::begin() noexcept {
     bool went_well = use_.enable_expert_mode() >= 0;
-    // An arm whose firmware is older than 3.0 has no watchdog: then kArmSilence_s of the port is what there is.
+    // An arm whose firmware is older than 3.0 has no watchdog: where the library hangs, nothing takes its force away.
     is_watched_ = use_.set_watchdog != nullptr && use_.set_watchdog(kDhdWatchdogTicks, id_) >= 0;
+    if (!is_watched_) {
+        traits_.max_force_N = std::min(traits_.max_force_N, kDhdUnwatched_N);
+    }
     if (use_.set_max_force != nullptr) {
         went_well = use_.set_max_force(traits_.max_force_N, id_) >= 0 && went_well;
     }

@@ -21,6 +21,7 @@ namespace fulcrum::runtime {
 inline constexpr unsigned char kDhdWatchdogTicks = 160;
 inline constexpr double kDhdWatchdog_s = kDhdWatchdogTicks * kDhdTick_s;  ///< 20 ms, kArmSilence_s
 inline constexpr int kDhdStatusEvery = 10;
+inline constexpr double kDhdUnwatched_N = 1.0;  ///< the most of an arm without a watchdog
 inline constexpr double kDhdRest_s = 0.5;
 inline constexpr double kDhdLost_s = 0.3;
 
@@ -42,6 +43,8 @@ class DhdArm {
     [[nodiscard]] DhdTrouble trouble() const noexcept {
         return round_ != DhdTrouble::none ? round_ : status_;
     }
+    /// As it was made; once it was begun without a watchdog it gives kDhdUnwatched_N at most.
+    [[nodiscard]] const DeviceTraits& traits() const noexcept { return traits_; }
     /// Whether its watchdog was set.
     [[nodiscard]] bool is_watched() const noexcept { return is_watched_; }
 

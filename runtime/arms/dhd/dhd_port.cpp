@@ -190,7 +190,7 @@ Expected<std::unique_ptr<ArmPort>> open_arm(const DhdLibrary& library, char id,
         {"dhd watchdog", arm.is_watched() ? "20 ms" : "none"},
         {"dhd hand", use.is_left_handed(id) ? "left" : "right"},
     };
-    auto port = std::make_unique<DhdPort>(arm, traits, std::move(facts));
+    auto port = std::make_unique<DhdPort>(arm, arm.traits(), std::move(facts));
     port->start();
     return port;
 }

@@ -29,12 +29,25 @@ void ForceProof::note_state(const Vector3& position_m, const Vector3& velocity_m
     if (verdict_ == Verdict::open) {
         judge(echo_N, now_s);
     }
+    note_more(echo_N);
     watch(position_m, velocity_m_per_s, echo_N, now_s);
+}
+
+// Forces of several programs add; and a service may begin to give more than it is told.
+void ForceProof::note_more(const Vector3& echo_N) noexcept {
+    constexpr double kMost = 1.25;
+    constexpr double kMargin_N = 0.3;
+    double sent_N = 0.0;
+    for (const Vector3& sent : sent_) {
+        sent_N = std::max(sent_N, sent.norm());
+    }
+    const bool is_more = echo_N.norm() > kMost * sent_N + kMargin_N;
+    n_more_ = is_more ? std::min(n_more_ + 1, kMostMore) : 0;
 }
 
 bool ForceProof::is_echo(const Vector3& echo_N) const noexcept {
     constexpr double kLeast = 0.5;
-    constexpr double kMost = 2.0;
+    constexpr double kMost = 1.25;
     constexpr double kCosine = 0.8;
     const double length_N = echo_N.norm();
     return std::ranges::any_of(sent_, [&](const Vector3& sent) {

@@ -27,6 +27,7 @@ class ForceProof {
     static constexpr double kMoved_N = 0.5;
     static constexpr double kStuck_s = 0.03;
     static constexpr std::size_t kRemembered = 4;
+    static constexpr int kMostMore = 30;  ///< states, 30 ms at 1 kHz
 
     enum class Verdict : unsigned char { open, proven, refused };
 
@@ -46,7 +47,11 @@ class ForceProof {
     /// The states repeat though the force changes; until one is another.
     [[nodiscard]] bool is_stuck() const noexcept { return is_stuck_; }
 
+    /// For kMostMore states more was given than is asked for here; until one says less.
+    [[nodiscard]] bool is_pushed_more() const noexcept { return n_more_ >= kMostMore; }
+
   private:
+    void note_more(const Vector3& echo_N) noexcept;
     [[nodiscard]] bool is_echo(const Vector3& echo_N) const noexcept;
     void judge(const Vector3& echo_N, double now_s) noexcept;
     void watch(const Vector3& position_m, const Vector3& velocity_m_per_s, const Vector3& echo_N,
@@ -61,6 +66,7 @@ class ForceProof {
     std::array<Vector3, kRemembered> sent_{Vector3::Zero(), Vector3::Zero(), Vector3::Zero(),
                                            Vector3::Zero()};
     std::size_t next_ = 0;
+    int n_more_ = 0;
     // Stuck.
     bool has_state_ = false;
     bool is_stuck_ = false;

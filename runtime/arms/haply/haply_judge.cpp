@@ -144,6 +144,10 @@ std::string find_haply_change(const HaplyArm& first, const HaplyArm& now) {
         is_other(was.damping_Ns_per_m, is.damping_Ns_per_m)) {
         return "the filters";
     }
+    if (was.compensates_gravity != is.compensates_gravity ||
+        is_other(was.gravity_scale, is.gravity_scale) || was.scales_torque != is.scales_torque) {
+        return "what is added to the force or taken from it";
+    }
     return {};
 }
 

@@ -115,7 +115,7 @@ class HaplyPort final : public ArmPort {
   private:
     void run() noexcept;
     void stream();
-    [[nodiscard]] bool do_round(double now_s);
+    [[nodiscard]] bool do_round();
     [[nodiscard]] bool hear(double deadline_s);
     void take(const HaplyMessage& message, double now_s);
     void take_arm(const HaplyArm& arm, double now_s);
@@ -177,8 +177,7 @@ void HaplyPort::stream() {
     proof_ = ForceProof(session_->word(), kHaplyForce_N);
     double next_s = heard_s_;
     while (!stops_.load()) {
-        const double now_s = monotonic_now_s();
-        if (!do_round(now_s)) {
+        if (!do_round()) {
             const std::string& why = session_->why();
             lose("has lost its service, for " + (why.empty() ? "it does not answer" : why) +
                  ": it is looked for, or start the Haply Inverse Service anew");
@@ -193,11 +192,13 @@ void HaplyPort::stream() {
 }
 
 // One force, and the states that came; false where the line is of no more use.
-bool HaplyPort::do_round(double now_s) {
+bool HaplyPort::do_round() {
     // An answer that came too late for its own round is not to be taken for this one's.
     if (!hear(0.0)) {
         return false;
     }
+    // Afterwards, for the age of an order is judged by it.
+    const double now_s = monotonic_now_s();
     const bool may_push = newest_.is_there && watch_.change().empty();
     const Vector3 wanted_A = may_push ? haply_from_D(wanted_D(now_s).force) : Vector3::Zero();
     const Vector3 force_A = proof_.allow(wanted_A, now_s);
@@ -222,7 +223,8 @@ bool HaplyPort::do_round(double now_s) {
 // Waits for as many answers as are due; who is still owed one then gets it no more, for another came behind it.
 bool HaplyPort::hear(double deadline_s) {
     bool has_heard = false;
-    for (int i = 0; i < kMostAtOnce; ++i) {
+    const double until_s = std::max(deadline_s, monotonic_now_s() + kAnswer_s);
+    for (int i = 0; i < kMostAtOnce && monotonic_now_s() < until_s; ++i) {
         HaplyMessage message;
         switch (session_->receive(message, n_due_ > 0 ? deadline_s : 0.0)) {
             case HaplySession::Heard::state:
@@ -268,6 +270,10 @@ void HaplyPort::take_arm(const HaplyArm& arm, double now_s) {
              " in the Haply service: set it back in Haply Hub and start the arm again");
     } else if (const std::string trouble = find_haply_trouble(status_); !trouble.empty()) {
         lose(trouble);
+    } else if (proof_.is_pushed_more()) {
+        lose(
+            "is pushed by more than is asked for here: close what else uses it in the Haply "
+            "service");
     } else if (proof_.is_stuck()) {
         lose("tells the same again and again though it is pushed: unplug it and plug it in");
     } else if (proof_.verdict() == ForceProof::Verdict::refused) {

@@ -6,12 +6,25 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace fulcrum::runtime {
 
 Expected<MessageLog> MessageLog::open(const std::string& path, std::size_t most_bytes) {
     MessageLog log;
-    log.file_.reset(std::fopen(path.c_str(), "ae"));
+    // A pipe or another's link would hold up who writes, or write elsewhere.
+    const int file =
+        ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+               S_IRUSR | S_IWUSR);
+    struct stat found {};
+    if (file >= 0 && (::fstat(file, &found) != 0 || !S_ISREG(found.st_mode))) {
+        ::close(file);
+        return fail("the arm's messages are kept in a file alone", path,
+                    "name a file in a folder of yours");
+    }
+    log.file_.reset(file >= 0 ? ::fdopen(file, "a") : nullptr);
     if (!log.file_) {
         return fail(std::string("the arm's messages cannot be kept there: ") + std::strerror(errno),
                     path, "name a file in a folder of yours");

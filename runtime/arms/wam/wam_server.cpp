@@ -3,6 +3,7 @@
 #include "haptics/link/arm_server.h"
 #include "haptics/loop/realtime_thread.h"
 #include "runtime/arms/arm_device.h"
+#include "runtime/arms/maker_values.h"
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"
 
@@ -63,7 +64,7 @@ class WamPort final : public ArmPort {
         sample.publish(told);
     }
     [[nodiscard]] WamForce wanted() noexcept {
-        const Vector3 force_D = wanted_D(monotonic_now_s()).force;
+        const Vector3 force_D = bounded(wanted_D(monotonic_now_s()), traits_).force;
         return {{force_D.z(), force_D.x(), force_D.y()}};
     }
 
@@ -75,6 +76,7 @@ class WamPort final : public ArmPort {
 struct Words {
     HostPort at{"127.0.0.1", kUsualPort};
     std::string key_file;
+    double force_N = 5.0;
 };
 
 Expected<Words> read_words(int argc, char** argv) {
@@ -90,11 +92,18 @@ Expected<Words> read_words(int argc, char** argv) {
             }
         } else if (name == "--address" && !value.empty()) {
             words.at.host = value;
+        } else if (name == "--force-limit") {
+            const auto read =
+                std::from_chars(value.data(), value.data() + value.size(), words.force_N);
+            if (read.ec != std::errc{} || read.ptr != value.data() + value.size() ||
+                !(words.force_N >= 0.5 && words.force_N <= kHardForceCap_N)) {
+                return fail("--force-limit " + value + " is none", "", "give 0.5 to 10 newtons");
+            }
         } else if (name == "--key" && !value.empty()) {
             words.key_file = value;
         } else {
             return fail("fulcrum-wam does not know " + std::string(name), "",
-                        "give --port N, --address A or --key FILE");
+                        "give --port N, --address A, --key FILE or --force-limit N");
         }
     }
     return words;
@@ -134,6 +143,7 @@ std::unique_ptr<WamServer> WamServer::start(int argc, char** argv, int n_joints)
     settings.handle_mass_kg = kHandle_kg;
     std::unique_ptr<WamServer> made;
     const auto started = read_words(argc, argv).and_then([&](const Words& words) {
+        settings.safety.max_force_N = words.force_N;
         return find_arm_key_file(words.key_file)
             .and_then(load_or_make_arm_key)
             .and_then([&](const ArmKey& key) {

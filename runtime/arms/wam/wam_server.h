@@ -29,7 +29,7 @@ struct WamForce {
 
 class WamServer {
   public:
-    /// Reads the words of the command line: --port N (4701), --address A (127.0.0.1), --key FILE. Null, and a sentence on the terminal, where they are
+    /// Reads the words of the command line: --port N (4701), --address A (127.0.0.1), --key FILE, --force-limit N (5). Null, and a sentence on the terminal, where they are
     /// wrong or nothing can be served there. `n_joints`: of the WAM, for its name.
     static std::unique_ptr<WamServer> start(int argc, char** argv, int n_joints);
     WamServer(const WamServer&) = delete;

@@ -134,8 +134,10 @@ FrameReader::Got FrameReader::take(const Head& head) {
         parts_ += body;
         has_parts_ = !head.is_last;
         if (has_parts_) {
-            return Got::nothing;
+            return ++n_parts_ < kMostParts ? Got::nothing
+                                           : fail("it sends a message in too many parts");
         }
+        n_parts_ = 0;
         payload_.swap(parts_);
         parts_.clear();
         return Got::text;

@@ -28,6 +28,7 @@ enum class Opcode : std::uint8_t {
 /// A state of an arm has about a thousand bytes.
 inline constexpr std::size_t kMostMessageBytes = 1U << 20U;
 inline constexpr std::size_t kMostControlBytes = 125;
+inline constexpr int kMostParts = 1000;  ///< frames of one message, which may be empty
 
 using FrameMask = std::array<std::uint8_t, 4>;
 
@@ -62,6 +63,7 @@ class FrameReader {
     std::size_t begin_ = 0;  // of it
     std::string parts_;      // of a message that is not whole
     bool has_parts_ = false;
+    int n_parts_ = 0;
     std::string payload_;
     std::string_view why_;
 };

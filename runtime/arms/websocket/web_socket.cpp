@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kMostPings = 64;         // before one message: nobody who means well sends more
 constexpr double kPongWait_s = 0.005;  // a ping's answer that does not go at once, goes never
+constexpr double kDribble_s = 0.005;   // beyond a deadline that has passed
 
 // False where the system has none to give.
 template <class Bytes>
@@ -95,6 +96,8 @@ bool WebSocket::send(std::string_view text, double deadline_s) noexcept {
 
 WebSocket::Heard WebSocket::receive(std::string& text, double deadline_s) noexcept {
     int n_pings = 0;
+    // Whoever sends without end, and no message, is heard no longer than one who is silent.
+    const double until_s = std::max(deadline_s, monotonic_now_s() + kDribble_s);
     while (why_.empty()) {
         const FrameReader::Got got = reader_.next();
         switch (got) {
@@ -116,6 +119,9 @@ WebSocket::Heard WebSocket::receive(std::string& text, double deadline_s) noexce
                 return leave(reader_.why());
             case FrameReader::Got::nothing:
                 break;
+        }
+        if (monotonic_now_s() > until_s) {
+            return Heard::nothing;
         }
         received_.clear();
         switch (line_.receive(received_, deadline_s)) {

@@ -55,6 +55,23 @@ TEST_CASE("dhd arm: it begins with its own limits, its weight carried, and a wat
     CHECK(begun.arm.is_watched());
 }
 
+TEST_CASE(
+    "dhd arm: without a watchdog, which would take its force away where the library hangs, it "
+    "gives 1 N") {
+    test_support::MakerStandIn stand_in{FULCRUM_DHD_STAND_IN};
+    DhdFunctions use = load_dhd(stand_in.path())->use;
+    use.set_watchdog = nullptr;
+    DhdArm arm{use, static_cast<char>(use.open()), kSerial,
+               DeviceTraits{.name = "held", .renders_force = true, .max_force_N = 5.0}};
+    REQUIRE(arm.begin());
+    CHECK_FALSE(arm.is_watched());
+    CHECK(arm.traits().max_force_N == kDhdUnwatched_N);
+    CHECK(stand_in.get("most force") == kDhdUnwatched_N);
+    (void)arm.read(100.0);
+    arm.feel({.force = {3.0, 0.0, 0.0}});
+    CHECK(stand_in.get("force", "x") == Approx(kDhdUnwatched_N));
+}
+
 TEST_CASE("dhd arm: away from the person is -z, right +x, up +y, for places and forces") {
     Begun begun;
     begun.stand_in.set("watchdog", 0);

@@ -84,10 +84,26 @@ TEST_CASE("force proof: an echo of another direction or size is none") {
         return told.proof.verdict();
     };
     CHECK(verdict_at(0.6) == Verdict::proven);
-    CHECK(verdict_at(1.9) == Verdict::proven);
+    CHECK(verdict_at(1.2) == Verdict::proven);
+    CHECK(verdict_at(1.9) == Verdict::open);
     CHECK(verdict_at(0.4) == Verdict::open);
     CHECK(verdict_at(2.2) == Verdict::open);
     CHECK(verdict_at(-1.0) == Verdict::open);
+}
+
+TEST_CASE("force proof: that more is given than was asked for is found, at any time after") {
+    Told told(ForceWord::vector);
+    (void)told.push({1.0, 0.0, 0.0}, 500, ForceWord::vector);
+    REQUIRE(told.proof.verdict() == Verdict::proven);
+    CHECK_FALSE(told.proof.is_pushed_more());
+    told.gain = 1.8;
+    (void)told.push({1.0, 0.0, 0.0}, ForceProof::kMostMore - 1, ForceWord::vector);
+    CHECK_FALSE(told.proof.is_pushed_more());
+    (void)told.push({1.0, 0.0, 0.0}, 10, ForceWord::vector);
+    CHECK(told.proof.is_pushed_more());
+    told.gain = 1.0;
+    (void)told.push({1.0, 0.0, 0.0}, 10, ForceWord::vector);
+    CHECK_FALSE(told.proof.is_pushed_more());
 }
 
 TEST_CASE("force proof: what is no number is no force") {

@@ -93,6 +93,10 @@ TEST_CASE("haply judge: each thing that somebody may change is found by name") {
     CHECK(change_by([](HaplyArm& arm) { arm.config->handedness = "left"; }) == "the handedness");
     CHECK(change_by([](HaplyArm& arm) { arm.config->preset = "arm_front"; }) == "the preset");
     CHECK(change_by([](HaplyArm& arm) { arm.config->gate_gain = 0.31; }) == "the filters");
+    CHECK(change_by([](HaplyArm& arm) { arm.config->gravity_scale = 1.5; }) ==
+          "what is added to the force or taken from it");
+    CHECK(change_by([](HaplyArm& arm) { arm.config->scales_torque = true; }) ==
+          "what is added to the force or taken from it");
     CHECK(change_by([](HaplyArm& arm) { arm.config->gate_gain.reset(); }) == "the filters");
     CHECK(change_by([](HaplyArm& arm) { arm.config->damping_Ns_per_m = 2.0; }) == "the filters");
     // It stands in the state, which comes without the configuration.

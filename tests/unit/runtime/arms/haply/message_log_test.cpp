@@ -5,8 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 
 namespace fulcrum::runtime {
 namespace {
@@ -57,6 +59,11 @@ TEST_CASE(
     MessageLog none;
     none.write('<', "nobody keeps this");
     CHECK(is_refused(MessageLog::open(folder.file("no/such.log")), "cannot be kept there"));
+    // A pipe that nobody empties would hold up the thread that gives the force.
+    REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
+    CHECK_FALSE(MessageLog::open(folder.file("pipe")));
+    std::filesystem::create_symlink(path, folder.file("link.log"));
+    CHECK(is_refused(MessageLog::open(folder.file("link.log")), "cannot be kept there"));
 }
 
 }  // namespace fulcrum::runtime

@@ -118,6 +118,23 @@ TEST_CASE("websocket frame: what a server may not send ends it, each with its re
           std::string::npos);
 }
 
+TEST_CASE("websocket frame: a message of parts without end is refused, though they are empty") {
+    const auto in_parts = [](int n) {
+        std::string sent = frame(0x01, "");
+        for (int i = 2; i < n; ++i) {
+            sent += frame(0x00, "");
+        }
+        return sent + frame(0x80, "end");
+    };
+    FrameReader reader;
+    reader.feed(in_parts(kMostParts));
+    CHECK(reader.next() == Got::text);
+    // Counted anew for each.
+    reader.feed(in_parts(kMostParts));
+    CHECK(reader.next() == Got::text);
+    CHECK(why_broken(in_parts(kMostParts + 1)) == "it sends a message in too many parts");
+}
+
 TEST_CASE("websocket frame: too large a message is refused by its head, whole or in parts") {
     CHECK(why_broken(bytes({0x81, 127, 0, 0, 0, 0, 0, 0x10, 0, 1})).find("megabyte") !=
           std::string::npos);
