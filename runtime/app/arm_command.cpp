@@ -118,6 +118,16 @@ std::string take_notice(const ServedArm& arm) {
     return arm.port != nullptr ? arm.port->take_notice() : std::string();
 }
 
+std::string words_again(const ServedArm& arm) {
+    std::string words;
+    if (arm.port != nullptr) {
+        for (const std::string& word : arm.port->words_again()) {
+            words += (words.empty() ? "" : " ") + word;
+        }
+    }
+    return words;
+}
+
 // The same for a program: it is told what happens, and that this still lives.
 void attend_attached(const ServedArm& arm, LatestValue<HandTarget>& target, const Options& options,
                      double epoch_s) {
@@ -207,6 +217,7 @@ int arm_command(const Options& options) {
     }
     if (options.arm.is_attached) {
         say_line(kArmNamed, arm->device->traits().name);
+        say_line(kArmSame, words_again(*arm));
         say_line(kArmAt, std::to_string((*socket)->port()));
         attend_attached(*arm, target, options, pace.epoch_s);
     } else {

@@ -190,6 +190,11 @@ Expected<void> set_hand_fit(Options& options, const OptionRow& row, const std::s
         value);
 }
 
+Expected<void> set_centre(Options& options, const OptionRow&, const std::string& value) {
+    HandFit fit;
+    return set_fit(fit, "middle", value).map([&] { options.arm.centre_A = fit.middle_A; });
+}
+
 constexpr std::uint32_t of(auto... commands) {
     return ((1U << static_cast<unsigned>(commands)) | ...);
 }
@@ -329,6 +334,8 @@ std::span<const OptionRow> option_rows() {
         {"--library", "FILE", of(run, arm), put<kArm, &ArmOptions::library>, "the library of the arm's maker, where it lies in no usual place"},
         {"--service-port", "N", of(run, arm), put<kArm, &ArmOptions::service_port>, "where Haply's service waits at this computer (10001)", 1.0, 65535.0},
         {"--device", "ID", of(run, arm), put<kArm, &ArmOptions::device_id>, "which of several Haply arms, such as 049D"},
+        {"--centre", "X,Y,Z", of(arm), set_centre,
+         "the middle of a Haply arm's space in its own base, in metres (where its handle rests while it is opened)"},
         {"--log", "FILE", of(run, arm), put<kArm, &ArmOptions::log_file>, "keeps what Haply's service says, as it comes"},
         {kInitialiseOption, "", of(run, arm), put<kArm, &ArmOptions::may_initialise>,
          "nobody holds the arm and nothing is near it: it may move by itself to find its zero"},

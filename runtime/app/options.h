@@ -57,6 +57,8 @@ struct ArmOptions {
     LinkFaults faults{};
     std::uint16_t service_port = 10001;  ///< of Haply's service
     std::string device_id;               ///< of Haply's arm; empty: the only one
+    /// Of Haply's arm: the middle of its space in its own base, m; nothing: where the handle rests while it is opened.
+    std::optional<Vector3> centre_A;
     std::string log_file;         ///< where what Haply's service says is kept; empty: nowhere
     std::string library;          ///< of a real arm's maker: where it lies; empty: its usual places
     bool may_initialise = false;  ///< somebody has said that the arm may move by itself once

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -69,6 +70,7 @@ void OwnArm::tell(std::string_view sentence) {
 Expected<void> OwnArm::begin() {
     std::vector<std::string> words = words_;
     words.insert(words.end(), {"--port", std::to_string(port_)});
+    words.insert(words.end(), words_again_.begin(), words_again_.end());
     // Somebody's yes was for now: whoever holds the arm when it is started again did not give it.
     std::erase(words_, kInitialiseOption);
     auto program = LineProgram::start(words, kArmEnvironment);
@@ -85,6 +87,12 @@ Expected<void> OwnArm::begin() {
             std::string told = name_ + ": " + std::string(*error);
             (*program)->finish(kArmFarewell_s);
             return fail(std::move(told));
+        }
+        if (const auto same = after(*line, kArmSame); same && words_again_.empty()) {
+            std::istringstream all{std::string(*same)};
+            for (std::string word; all >> word;) {
+                words_again_.push_back(word);
+            }
         }
         if (const auto at = after(*line, kArmAt)) {
             std::uint16_t port = 0;

@@ -34,6 +34,8 @@ inline constexpr double kArmBegin_s =
 // What the process says, a line each, before the rest of it.
 inline constexpr std::string_view kArmBeat = ".";
 inline constexpr std::string_view kArmNamed = "named ";  ///< model and serial, before the next
+inline constexpr std::string_view kArmSame =
+    "same ";  ///< words by which it is the same when it begins again
 inline constexpr std::string_view kArmAt = "at ";
 inline constexpr std::string_view kArmTold = "told ";
 inline constexpr std::string_view kArmError = "error ";
@@ -69,6 +71,7 @@ class OwnArm {
     void tell(std::string_view sentence);
 
     std::vector<std::string> words_;
+    std::vector<std::string> words_again_;  // as the process told the first time
     std::string name_;
     std::uint16_t port_ = 0;  // fixed once it is known
     // The watching thread's.

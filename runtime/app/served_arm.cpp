@@ -61,6 +61,7 @@ Expected<ServedArm> open_served_arm(const ArmOptions& options, LatestValue<HandT
             settings.port = options.service_port;
             settings.device_id = options.device_id;
             settings.log_file = options.log_file;
+            settings.centre_A = options.centre_A;
             return serve(open_haply(settings), std::move(served));
         }
         case ArmKind::touch:

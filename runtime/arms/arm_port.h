@@ -57,6 +57,8 @@ class ArmPort {
     [[nodiscard]] virtual SensorLife sensor() const noexcept { return {}; }
     /// What a record should name: versions, filters between order and motor.
     [[nodiscard]] virtual std::vector<ArmFact> facts() const = 0;
+    /// Options of `fulcrum arm` by which it is the same when it is opened again in the middle of a lesson: what was found as it was opened.
+    [[nodiscard]] virtual std::vector<std::string> words_again() const { return {}; }
 
     /// What has happened since the last call that people should know, a sentence; empty when nothing has. Any thread.
     [[nodiscard]] std::string take_notice() {

@@ -10,9 +10,11 @@
 #include "runtime/arms/haply/rest_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <condition_variable>
+#include <cstdio>
 #include <pthread.h>
 #include <sched.h>
 #include <thread>
@@ -105,6 +107,13 @@ class HaplyPort final : public ArmPort {
     // other arms. Nothing is said of shaking: states are stamped as they come, and a late one looks like a jerk.
     [[nodiscard]] SensorLife sensor() const noexcept override {
         return {.trembles_within_s = 1.0, .moves_at_N = 1.5, .most_m_per_s2 = 0.0};
+    }
+    // Else the middle would be where the hand happens to rest then.
+    [[nodiscard]] std::vector<std::string> words_again() const override {
+        std::array<char, 80> centre{};
+        (void)std::snprintf(centre.data(), centre.size(), "%.6f,%.6f,%.6f", centre_A_.x(),
+                            centre_A_.y(), centre_A_.z());
+        return {"--centre", centre.data()};
     }
     [[nodiscard]] std::vector<ArmFact> facts() const override {
         std::vector<ArmFact> all = facts_;

@@ -208,8 +208,10 @@ std::size_t count_of(const std::string& part, const std::string& text) {
 
 // A value that it takes, beside its numbers.
 std::string good_value(const OptionRow& option) {
-    const std::map<std::string_view, std::string> others{
-        {"--axes", "-x,y,z"}, {"--middle", "0,0.1,0"}, {"--feedback", "recast,rule"}};
+    const std::map<std::string_view, std::string> others{{"--axes", "-x,y,z"},
+                                                         {"--middle", "0,0.1,0"},
+                                                         {"--centre", "0,0.1,0"},
+                                                         {"--feedback", "recast,rule"}};
     const auto other = others.find(option.name);
     return option.low < option.high ? number_text(option.low)
            : other != others.end()  ? other->second

@@ -71,6 +71,20 @@ TEST_CASE("own arm: that the arm may move by itself is said the first time, and 
     CHECK(told.find("told again") == std::string::npos);
 }
 
+TEST_CASE("own arm: one that is started again is told where it was, so that its middle stays") {
+    const std::string script =
+        "case \"$*\" in *'4711 --centre 0.1,0.2,0.3') echo at 4711; exec cat;; *4711*) echo error "
+        "elsewhere;; "
+        "*) echo 'same --centre 0.1,0.2,0.3'; echo at 4711; exit 1;; esac";
+    const auto arm = value_of(start(script));
+    std::string told;
+    REQUIRE(eventually([&] {
+        told += arm->take_notice();
+        return told.find("The arm is back.") != std::string::npos;
+    }));
+    CHECK(told.find("elsewhere") == std::string::npos);
+}
+
 TEST_CASE("own arm: why one does not come back is said once, however often it is tried") {
     const auto arm = value_of(start("[ \"$2\" = 0 ] && exec echo at 4711; echo error no power"));
     std::string told;
