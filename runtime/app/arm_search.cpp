@@ -11,23 +11,6 @@ namespace {
 
 constexpr double kLetGo_s = 2.0;
 
-// Up to the line that says that it waits, or cannot; what it says itself is the last then.
-std::vector<std::string> hear(LineProgram& program, double until_s) {
-    std::vector<std::string> lines;
-    while (monotonic_now_s() < until_s) {
-        auto line = program.wait(until_s - monotonic_now_s());
-        if (!line) {
-            break;
-        }
-        const bool is_last = line->starts_with(kArmAt) || line->starts_with(kArmError);
-        lines.push_back(std::move(*line));
-        if (is_last) {
-            break;
-        }
-    }
-    return lines;
-}
-
 }  // namespace
 
 DeviceEntry read_arm_entry(const OwnArmKind& kind, const std::vector<std::string>& lines) {
@@ -68,8 +51,8 @@ std::vector<DeviceEntry> find_makers_arms() {
     std::vector<DeviceEntry> entries;
     const double until_s = monotonic_now_s() + kArmBegin_s;
     for (const auto& [kind, program] : asked) {
-        entries.push_back(
-            read_arm_entry(*kind, program ? hear(*program, until_s) : std::vector<std::string>()));
+        entries.push_back(read_arm_entry(
+            *kind, program ? hear_beginning(*program, until_s) : std::vector<std::string>()));
         if (program) {
             program->finish(kLetGo_s);
         }

@@ -28,6 +28,20 @@ std::vector<std::string> arm_words(const OwnArmKind& kind) {
             "--arm", std::string(kind.arm)};
 }
 
+std::vector<std::string> hear_beginning(LineProgram& program, double until_s) {
+    std::vector<std::string> lines;
+    bool is_last = false;
+    while (!is_last && monotonic_now_s() < until_s) {
+        auto line = program.wait(until_s - monotonic_now_s());
+        if (!line) {
+            break;
+        }
+        is_last = line->starts_with(kArmAt) || line->starts_with(kArmError);
+        lines.push_back(std::move(*line));
+    }
+    return lines;
+}
+
 Expected<std::unique_ptr<OwnArm>> OwnArm::start(std::vector<std::string> words, std::string name) {
     std::unique_ptr<OwnArm> arm(new OwnArm(std::move(words), std::move(name)));
     return arm->begin().map([&] {
@@ -77,24 +91,18 @@ Expected<void> OwnArm::begin() {
     if (!program) {
         return tl::unexpected(program.error());
     }
-    const double end_s = monotonic_now_s() + kArmBegin_s;
-    while (monotonic_now_s() < end_s) {
-        const auto line = (*program)->wait(end_s - monotonic_now_s());
-        if (!line) {
-            break;
-        }
-        if (const auto error = after(*line, kArmError)) {
-            std::string told = name_ + ": " + std::string(*error);
+    for (const std::string& line : hear_beginning(**program, monotonic_now_s() + kArmBegin_s)) {
+        if (const auto error = after(line, kArmError)) {
             (*program)->finish(kArmFarewell_s);
-            return fail(std::move(told));
+            return fail(name_ + ": " + std::string(*error));
         }
-        if (const auto same = after(*line, kArmSame); same && words_again_.empty()) {
+        if (const auto same = after(line, kArmSame); same && words_again_.empty()) {
             std::istringstream all{std::string(*same)};
             for (std::string word; all >> word;) {
                 words_again_.push_back(word);
             }
         }
-        if (const auto at = after(*line, kArmAt)) {
+        if (const auto at = after(line, kArmAt)) {
             std::uint16_t port = 0;
             (void)std::from_chars(at->data(), at->data() + at->size(), port);
             port_ = port_ == 0 ? port : port_;

@@ -45,6 +45,9 @@ extern const std::vector<std::string> kArmEnvironment;
 /// The program and its words for an arm of this kind, but for the port.
 [[nodiscard]] std::vector<std::string> arm_words(const OwnArmKind& kind);
 
+/// What the process says up to the line that says that it waits, or cannot; less where it ends, or says neither until then (monotonic clock).
+[[nodiscard]] std::vector<std::string> hear_beginning(LineProgram& program, double until_s);
+
 class OwnArm {
   public:
     /// `words`: as arm_words gives them, and what else is said to it; `name`: of the arm, for people, "Haply's arm". Waits until it waits;

@@ -15,6 +15,17 @@ namespace fulcrum::hid {
 
 inline constexpr std::uint32_t kMostButtons = 32;
 
+/// A report's number, 0 where the device numbers none, and what stands behind it.
+struct InputReport {
+    std::uint8_t id = 0;
+    std::span<const std::uint8_t> data;
+};
+/// `report` is not empty.
+[[nodiscard]] inline InputReport split_report(std::span<const std::uint8_t> report,
+                                              bool numbers_reports) noexcept {
+    return numbers_reports ? InputReport{report[0], report.subspan(1)} : InputReport{0, report};
+}
+
 /// The number of this usage, of this application; 0: of any. Nothing where there is none, or where its range is one value.
 [[nodiscard]] std::optional<ReportField> find_input(const ReportDescriptor& descriptor, Usage usage,
                                                     Usage application);

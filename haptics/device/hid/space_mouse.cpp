@@ -59,8 +59,7 @@ bool Cap::take_report(std::span<const std::uint8_t> report, CapState& cap) const
     if (report.empty()) {
         return false;
     }
-    const std::uint8_t number = numbers_reports_ ? report[0] : 0;
-    const std::span<const std::uint8_t> data = report.subspan(numbers_reports_ ? 1 : 0);
+    const auto [number, data] = split_report(report, numbers_reports_);
     bool was_of_use = take_three(push_, number, data, cap.push_D);
     was_of_use |= take_three(turn_, number, data, cap.turn_D);
     return take_buttons(buttons_, number, data, cap.buttons) || was_of_use;

@@ -54,12 +54,11 @@ bool Stick::take_report(std::span<const std::uint8_t> report, StickState& state)
     if (report.empty()) {
         return false;
     }
-    const std::uint8_t number = numbers_reports_ ? report[0] : 0;
-    const std::span<const std::uint8_t> data = report.subspan(numbers_reports_ ? 1 : 0);
+    const auto [number, data] = split_report(report, numbers_reports_);
     bool was_of_use = false;
-    const auto value_of = [&](const ReportField& field) {
+    const auto value_of = [&, id = number, bytes = data](const ReportField& field) {
         const auto value =
-            field.report_id == number ? read_value(field, data) : std::optional<std::int64_t>();
+            field.report_id == id ? read_value(field, bytes) : std::optional<std::int64_t>();
         was_of_use |= value.has_value();
         return value;
     };

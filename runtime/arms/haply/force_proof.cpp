@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace fulcrum::runtime {
+namespace {
+
+constexpr double kMostEchoed = 1.25;  // of what was sent; more is somebody else's, or a scale
+
+}  // namespace
 
 Vector3 ForceProof::allow(const Vector3& wanted_N, double now_s) noexcept {
     if (verdict_ == Verdict::refused || !is_finite(wanted_N)) {
@@ -35,25 +40,23 @@ void ForceProof::note_state(const Vector3& position_m, const Vector3& velocity_m
 
 // Forces of several programs add; and a service may begin to give more than it is told.
 void ForceProof::note_more(const Vector3& echo_N) noexcept {
-    constexpr double kMost = 1.25;
     constexpr double kMargin_N = 0.3;
     double sent_N = 0.0;
     for (const Vector3& sent : sent_) {
         sent_N = std::max(sent_N, sent.norm());
     }
-    const bool is_more = echo_N.norm() > kMost * sent_N + kMargin_N;
+    const bool is_more = echo_N.norm() > kMostEchoed * sent_N + kMargin_N;
     n_more_ = is_more ? std::min(n_more_ + 1, kMostMore) : 0;
 }
 
 bool ForceProof::is_echo(const Vector3& echo_N) const noexcept {
     constexpr double kLeast = 0.5;
-    constexpr double kMost = 1.25;
     constexpr double kCosine = 0.8;
     const double length_N = echo_N.norm();
     return std::ranges::any_of(sent_, [&](const Vector3& sent) {
         const double sent_N = sent.norm();
-        return sent_N >= kAsked_N && length_N >= kLeast * sent_N && length_N <= kMost * sent_N &&
-               echo_N.dot(sent) >= kCosine * length_N * sent_N;
+        return sent_N >= kAsked_N && length_N >= kLeast * sent_N &&
+               length_N <= kMostEchoed * sent_N && echo_N.dot(sent) >= kCosine * length_N * sent_N;
     });
 }
 
